@@ -1,0 +1,33 @@
+// The result: nodes, elements by kind, groups, and where each node came from.
+//
+//   hexahedron       7------6     prism      5        Node order is VTK's and Abaqus': the first ring
+//                   /|     /|               /|\       counterclockwise seen from the second, which lies
+//                  4------5 |              3---4      above it. (FreeCAD's own order is the mirror image;
+//                  | 3----|-2              | 2 |      see io/ and Mod/sweepmesh/app.)
+//                  |/     |/               |/ \|
+//                  0------1                0---1
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sweepmesh/base/geometry.h"
+#include "sweepmesh/surface/surface_mesh.h"
+
+namespace sweepmesh {
+
+struct VolumeMesh {
+  Points points;
+  std::vector<std::array<long, 8>> hexahedra;
+  std::vector<std::array<long, 6>> prisms;
+
+  /// The boundary: polygons in compressed rows, outward, each with its CAD face.
+  std::vector<long> boundary_offset = {0};
+  std::vector<long> boundary_nodes;
+  std::vector<FaceId> boundary_face;
+
+  /// Per node: the CAD entity that it lies on; index -1 for a node inside the solid.
+  std::vector<Owner> owner;
+};
+
+}  // namespace sweepmesh
