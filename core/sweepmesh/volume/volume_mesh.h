@@ -18,12 +18,12 @@ namespace sweepmesh {
 
 struct VolumeMesh {
   Points points;
-  std::vector<std::array<long, 8>> hexahedra;
-  std::vector<std::array<long, 6>> prisms;
+  std::vector<std::array<int, 8>> hexahedra;
+  std::vector<std::array<int, 6>> prisms;
 
   /// The boundary: polygons in compressed rows, outward, each with its CAD face.
-  std::vector<long> boundary_offset = {0};
-  std::vector<long> boundary_nodes;
+  std::vector<int> boundary_offset = {0};
+  std::vector<int> boundary_nodes;
   std::vector<FaceId> boundary_face;
 
   /// Per node: the CAD entity that it lies on; index -1 for a node inside the solid.
