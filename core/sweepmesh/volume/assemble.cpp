@@ -9,12 +9,12 @@ namespace {
   throw Error("assemble", sentence);
 }
 
-Extrusion make_extrusion(const std::vector<ColumnNodes>& columns, const std::vector<Run>& runs) {
+Extrusion make_extrusion(const std::vector<ColumnNodes>& columns, const std::vector<CellRun>& runs) {
   Extrusion extrusion;
   for (const ColumnNodes& column : columns)
     extrusion.add_column(column.k_low, column.k_low + static_cast<int>(column.nodes.size()) - 1);
   std::vector<int> cell;
-  for (const Run& run : runs) {
+  for (const CellRun& run : runs) {
     cell.clear();
     for (const ColumnId c : run.columns) {
       if (run.k_low < extrusion.k_low[c.index] || run.k_high > extrusion.k_high[c.index])
@@ -29,7 +29,7 @@ Extrusion make_extrusion(const std::vector<ColumnNodes>& columns, const std::vec
 }  // namespace
 
 Assembly assemble(const SurfaceMesh& surface, const std::vector<ColumnNodes>& columns,
-                  const std::vector<Run>& runs) {
+                  const std::vector<CellRun>& runs) {
   Assembly out;
   out.extrusion = make_extrusion(columns, runs);
   out.fixed.assign(out.extrusion.n_nodes(), 0);

@@ -17,7 +17,7 @@ struct ColumnNodes {
 };
 
 /// A base cell swept over the columns `columns` (counterclockwise seen from larger k).
-struct Run {
+struct CellRun {
   std::vector<ColumnId> columns;
   int k_low = 0, k_high = 0;
 };
@@ -33,7 +33,7 @@ struct Assembly {
 /// Throws Error("assemble") when a surface node is in no column or in two, or when a run leaves the
 /// range of one of its columns. Linear in nodes and cells.
 Assembly assemble(const SurfaceMesh& surface, const std::vector<ColumnNodes>& columns,
-                  const std::vector<Run>& runs);
+                  const std::vector<CellRun>& runs);
 
 /// Adds to `mesh` (whose points and elements are those of the assembly's extrusion) the boundary
 /// cells with their CAD faces and every node's CAD entity.

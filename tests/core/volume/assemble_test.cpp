@@ -80,7 +80,7 @@ TEST(Assemble, boundary_keeps_faces_and_owners) {
 
 TEST(Assemble, broken_input_is_refused) {
   Tower tower(2);
-  const std::vector<Run> run = {{ids({0, 1, 2, 3}), 0, 2}};
+  const std::vector<CellRun> run = {{ids({0, 1, 2, 3}), 0, 2}};
   EXPECT_THROW(assemble(tower.surface, tower.columns, {{ids({0, 1, 2, 3}), 0, 3}}), Error);
   auto twice = tower.columns;
   twice[1].nodes[0] = twice[0].nodes[0];
