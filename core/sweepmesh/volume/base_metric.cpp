@@ -97,7 +97,8 @@ void set_heights(const Extrusion& x, const std::vector<char>& fixed, const Point
   for (int c = 0; c < x.n_cells(); ++c) {
     const int low = x.cell_k_low[c], high = x.cell_k_high[c];
     const int column = x.cell_columns[x.cell_offset[c]];
-    const double length = (points.row(x.node(column, high)) - points.row(x.node(column, low))).norm();
+    const double length =
+        (points.row(x.node(column, high)) - points.row(x.node(column, low))).norm();
     for (int k = low; k < high; ++k) runs.add(k - first, length / (high - low));
   }
   metric.height.assign(last - first, 1.0);

@@ -1,6 +1,7 @@
 #include "sweepmesh/volume/layer_kernels.h"
 
-// Compiled for wide vectors where the machine has them. No fused multiply-add: bits are the same on all.
+// Compiled for wide vectors where the machine has them. No fused multiply-add: bits are the same on
+// all.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define SWEEPMESH_WIDE __attribute__((target_clones("avx2", "default")))
 #else
@@ -58,8 +59,7 @@ void solve_tridiagonal(const float* __restrict r, const float* __restrict pivot,
   float last[3] = {};
   for (long k = 0; k < n; ++k) {
     const float c = k > 0 ? coupling[k - 1] : 0.0f;
-    for (int d = 0; d < 3; ++d)
-      z[3 * k + d] = last[d] = pivot[k] * (r[3 * k + d] + c * last[d]);
+    for (int d = 0; d < 3; ++d) z[3 * k + d] = last[d] = pivot[k] * (r[3 * k + d] + c * last[d]);
   }
   for (long k = n - 2; k >= 0; --k) {
     const float f = pivot[k] * coupling[k];

@@ -3,11 +3,11 @@
 
 namespace sweepmesh::kernels {
 
-void scale_to(float* y, const float* x, float a, long n);            ///< y = a x
-void add_scaled(float* y, const float* x, float a, long n);          ///< y += a x
-void scale_and_add(float* y, const float* x, float a, long n);       ///< y = a y + x
-void subtract(float* y, const float* x, long n);                     ///< y -= x
-void multiply(float* y, const float* x, long n);                     ///< y *= x
+void scale_to(float* y, const float* x, float a, long n);                     ///< y = a x
+void add_scaled(float* y, const float* x, float a, long n);                   ///< y += a x
+void scale_and_add(float* y, const float* x, float a, long n);                ///< y = a y + x
+void subtract(float* y, const float* x, long n);                              ///< y -= x
+void multiply(float* y, const float* x, long n);                              ///< y *= x
 void add_product(float* y, const float* x, const float* s, float a, long n);  ///< y += a s x
 double dot(const float* x, const float* y, long n);
 
@@ -16,8 +16,8 @@ double dot(const float* x, const float* y, long n);
 void add_layers(float* y, const float* x, const float* s, float lower, float upper, float across,
                 long n);
 
-/// z = T^-1 r for the tridiagonal matrix with off-diagonals -coupling[k] and the inverse pivots of its
-/// Cholesky factorisation; n nodes of three floats.
+/// z = T^-1 r for the tridiagonal matrix with off-diagonals -coupling[k] and the inverse pivots of
+/// its Cholesky factorisation; n nodes of three floats.
 void solve_tridiagonal(const float* r, const float* pivot, const float* coupling, float* z, long n);
 
 /// d = a d + b z; x += d.

@@ -135,8 +135,8 @@ void set_blends(const std::vector<Slab>& slabs, const BaseMetric& metric, int co
   for (int k = 0; k <= n; ++k) {
     const double s = height[k] / height[n];
     const Affine down = maps[k].after(back);
-    block.blend.push_back({(1 - s) * maps[k].matrix, s * down.matrix,
-                           (1 - s) * maps[k].shift + s * down.shift});
+    block.blend.push_back(
+        {(1 - s) * maps[k].matrix, s * down.matrix, (1 - s) * maps[k].shift + s * down.shift});
   }
 }
 

@@ -1,15 +1,18 @@
-// How the layers of an extrusion move: the affine motion that fits the bounding loops of every layer.
+// How the layers of an extrusion move: the affine motion that fits the bounding loops of every
+// layer.
 //
-// A *block* is a connected set of runs with the same two ends. Between two levels of the extrusion each
-// connected part of the cross-section has bounding loops (the columns that are fixed all the way); the
-// affine map that fits them best, layer by layer, is the motion of that part. Chained over the levels it
-// carries both ends of a block to each of its layers, and the mean of the two images, weighted with the
-// distance to the other end, is the *prediction* of a node. Ends are met exactly, and so are interior
-// nodes when the layers really move affinely (translation, rotation, bend, taper, scaling).
+// A *block* is a connected set of runs with the same two ends. Between two levels of the extrusion
+// each connected part of the cross-section has bounding loops (the columns that are fixed all the
+// way); the affine map that fits them best, layer by layer, is the motion of that part. Chained
+// over the levels it carries both ends of a block to each of its layers, and the mean of the two
+// images, weighted with the distance to the other end, is the *prediction* of a node. Ends are met
+// exactly, and so are interior nodes when the layers really move affinely (translation, rotation,
+// bend, taper, scaling).
 //
-// Fit: least squares over the loops (thesis A.2). A planar loop says nothing of its normal; there the
-// normal goes to the normal of the image, scaled as the plane is (the vectors u of functional H). Where
-// loops are missing (no linking face) or collinear, the prediction is linear between the two ends.
+// Fit: least squares over the loops (thesis A.2). A planar loop says nothing of its normal; there
+// the normal goes to the normal of the image, scaled as the plane is (the vectors u of functional
+// H). Where loops are missing (no linking face) or collinear, the prediction is linear between the
+// two ends.
 #pragma once
 
 #include <vector>
@@ -35,11 +38,12 @@ struct Affine {
   }
 };
 
-/// Affine map that carries the points `from` best to `to` (least squares), or false when they lie on a
-/// line or the map is singular. Planar sets: see above.
+/// Affine map that carries the points `from` best to `to` (least squares), or false when they lie
+/// on a line or the map is singular. Planar sets: see above.
 bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, Affine& map);
 
-/// Prediction of a block at one level: low * (node at the low end) + high * (at the high end) + shift.
+/// Prediction of a block at one level: low * (node at the low end) + high * (at the high end) +
+/// shift.
 struct Blend {
   Eigen::Matrix3d low, high;
   Point3 shift;

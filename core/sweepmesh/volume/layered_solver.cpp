@@ -128,7 +128,8 @@ void Level::apply(const float* x, int column, float* y) const {
     const LayerClass& l = s_.layers[c];
     const float* spring = s_.spring.data();
     if (last > low && first < low) {  // the layer below the hull
-      kernels::add_product(out + 3L * low, in + 3L * low, spring + 3L * (low - 1), l.upper[column], 3);
+      kernels::add_product(out + 3L * low, in + 3L * low, spring + 3L * (low - 1), l.upper[column],
+                           3);
     }
     if (first <= high && last > high) {  // the layer above it
       kernels::add_product(out + 3L * high, in + 3L * high, spring + 3L * high, l.lower[column], 3);
@@ -146,7 +147,8 @@ void Level::factor() {
     const int low = s_.low[c], high = s_.high[c];
     std::vector<double> diagonal(high - low + 1, 0.0), across(high - low + 1, 0.0);
     for (int t = 0; t < s_.n_bands(); ++t)
-      for (int k = std::max(low, s_.band_begin[t]); k < std::min(high + 1, s_.band_begin[t + 1]); ++k)
+      for (int k = std::max(low, s_.band_begin[t]); k < std::min(high + 1, s_.band_begin[t + 1]);
+           ++k)
         diagonal[k - low] = static_cast<double>(s_.rows[t].diagonal[c]) * s_.share[3L * k];
     for_layers(s_, low, high, [&](int v, int first, int last) {
       const LayerClass& l = s_.layers[v];
@@ -240,7 +242,8 @@ class Multigrid {
  private:
   static int n_empty(const LayeredLevel& level) {
     int n = 0;
-    for (int c = 0; c < level.system.n_columns(); ++c) n += level.system.high[c] < level.system.low[c];
+    for (int c = 0; c < level.system.n_columns(); ++c)
+      n += level.system.high[c] < level.system.low[c];
     return n;
   }
 
@@ -268,8 +271,8 @@ class Multigrid {
   }
 
   /// to = P^T from, over the levels that both hulls share.
-  void transfer(const Transfer& p, const Level& from_level, const Vector& from, const Level& to_level,
-                Vector& to) const {
+  void transfer(const Transfer& p, const Level& from_level, const Vector& from,
+                const Level& to_level, Vector& to) const {
     const LayeredSystem &f = from_level.system(), &t = to_level.system();
     to_level.for_columns([&](int c) {
       std::fill(to.begin() + t.offset[c], to.begin() + t.offset[c + 1], 0.0f);

@@ -8,9 +8,10 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Levels at which a column begins, ends, or turns from free to fixed or back, and where a run begins
-/// or ends (its last level has half of the matrix, so it is a band of its own).
-std::vector<int> find_bands(const Extrusion& x, const std::vector<char>& fixed, int first, int last) {
+/// Levels at which a column begins, ends, or turns from free to fixed or back, and where a run
+/// begins or ends (its last level has half of the matrix, so it is a band of its own).
+std::vector<int> find_bands(const Extrusion& x, const std::vector<char>& fixed, int first,
+                            int last) {
   std::vector<char> begins(last - first + 2, 0);
   begins[0] = begins[last - first + 1] = 1;
   for (int c = 0; c < x.n_columns(); ++c) {
@@ -19,7 +20,8 @@ std::vector<int> find_bands(const Extrusion& x, const std::vector<char>& fixed, 
       if ((fixed[x.node(c, k)] != 0) != (fixed[x.node(c, k - 1)] != 0)) begins[k - first] = 1;
   }
   for (int c = 0; c < x.n_cells(); ++c)
-    for (const int k : {x.cell_k_low[c], x.cell_k_low[c] + 1, x.cell_k_high[c], x.cell_k_high[c] + 1})
+    for (const int k :
+         {x.cell_k_low[c], x.cell_k_low[c] + 1, x.cell_k_high[c], x.cell_k_high[c] + 1})
       begins[k - first] = 1;
   std::vector<int> bands;
   for (std::size_t k = 0; k < begins.size(); ++k)
@@ -197,8 +199,8 @@ LayeredLevel make_layered_level(const Extrusion& extrusion, const BaseMetric& me
     level.matrix.push_back(band_matrix(extrusion, metric, is_free, k));
     s.rows.push_back(rows_of(level.matrix.back()));
     s.layers.push_back(layer_class(extrusion, metric, k, is_free, is_free));
-    s.layers.push_back(layer_class(extrusion, metric, above - 1, is_free,
-                                   free_columns(extrusion, fixed, above)));
+    s.layers.push_back(
+        layer_class(extrusion, metric, above - 1, is_free, free_columns(extrusion, fixed, above)));
   }
   set_hulls(s);
   return level;
@@ -216,7 +218,8 @@ BaseMatrix make_prolongation(const LayeredLevel& fine) {
     // One damped Jacobi step with the weak couplings lumped to the diagonal.
     double lumped = 0.0;
     for (BaseMatrix::InnerIterator entry(sum, c); entry; ++entry) {
-      if (entry.col() == c || is_strong(entry.value(), diagonal[c], diagonal[entry.col()])) continue;
+      if (entry.col() == c || is_strong(entry.value(), diagonal[c], diagonal[entry.col()]))
+        continue;
       lumped += entry.value();
     }
     const double d = std::max(diagonal[c] + lumped, strong_coupling * diagonal[c]);
@@ -247,12 +250,15 @@ LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongati
     return std::vector<float>(r.data(), r.data() + r.size());
   };
   for (int t = 0; t < f.n_bands(); ++t) {
-    // Rows of the prolongation that are not free in this band drop out, since their matrix rows are empty.
-    coarse.matrix.push_back(BaseMatrix(prolongation.transpose() * fine.matrix[t] * prolongation).pruned());
+    // Rows of the prolongation that are not free in this band drop out, since their matrix rows are
+    // empty.
+    coarse.matrix.push_back(
+        BaseMatrix(prolongation.transpose() * fine.matrix[t] * prolongation).pruned());
     s.rows.push_back(rows_of(coarse.matrix.back()));
   }
   for (const LayerClass& layer : f.layers)
-    s.layers.push_back({restricted(layer.across), restricted(layer.lower), restricted(layer.upper)});
+    s.layers.push_back(
+        {restricted(layer.across), restricted(layer.lower), restricted(layer.upper)});
   set_hulls(s);
   return coarse;
 }

@@ -48,7 +48,8 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
   if (level.system.size() == 0) return;
   const LayeredSystem layout = level.system;
   std::vector<float> e = right_hand_side(x, motion, metric, residuals, layout, 1.0 / unit, team);
-  const SolverReport solved = solve(std::move(level), e, {.reduction = options.reduction}, team, context);
+  const SolverReport solved =
+      solve(std::move(level), e, {.reduction = options.reduction}, team, context);
   add_correction(x, layout, e, unit, points, team);
   report.was_solved = true;
   report.n_iterations = solved.n_iterations;
@@ -104,7 +105,8 @@ VolumeMesh build_volume_mesh(const Extrusion& extrusion, Points points) {
     else if (extrusion.cell_size(c) == 3)
       ring(mesh.prisms);
     else
-      throw InputError("place", "A cell of the base with " + std::to_string(extrusion.cell_size(c)) +
+      throw InputError("place", "A cell of the base with " +
+                                    std::to_string(extrusion.cell_size(c)) +
                                     " corners makes neither hexahedra nor prisms.");
   }
   return mesh;

@@ -47,18 +47,21 @@ class CellForce {
       if (j == corner) continue;
       const ColumnResidual* other = find_in(residuals_[columns[j]], block);
       const int a = std::min(corner, j), b = std::max(corner, j);
-      const double w = metric_.pair_weight[metric_.pair_offset[cell] + a * n - a * (a + 1) / 2 + b - a - 1];
+      const double w =
+          metric_.pair_weight[metric_.pair_offset[cell] + a * n - a * (a + 1) / 2 + b - a - 1];
       if (own || other) add_pair(cell, column, w * scale_, own, other, out);
     }
     if (own)
-      add_vertical(cell, column, metric_.corner_mass[x_.cell_offset[cell] + corner] * scale_, *own, out);
+      add_vertical(cell, column, metric_.corner_mass[x_.cell_offset[cell] + corner] * scale_, *own,
+                   out);
   }
 
  private:
   void subtract(float* out, int column, int k, const Point3& force) const {
     const int level = k - s_.k_first;
     if (level < s_.low[column] || level > s_.high[column]) return;
-    for (int d = 0; d < 3; ++d) out[3L * (level - s_.low[column]) + d] -= static_cast<float>(force[d]);
+    for (int d = 0; d < 3; ++d)
+      out[3L * (level - s_.low[column]) + d] -= static_cast<float>(force[d]);
   }
 
   void add_pair(int cell, int column, double w, const ColumnResidual* own,
@@ -73,10 +76,12 @@ class CellForce {
     }
   }
 
-  void add_vertical(int cell, int column, double mass, const ColumnResidual& own, float* out) const {
+  void add_vertical(int cell, int column, double mass, const ColumnResidual& own,
+                    float* out) const {
     for (int k = x_.cell_k_low[cell]; k < x_.cell_k_high[cell]; ++k) {
       const int i = k - x_.cell_k_low[cell];
-      const Point3 force = mass * s_.spring[3L * (k - s_.k_first)] * (own.value[i + 1] - own.value[i]);
+      const Point3 force =
+          mass * s_.spring[3L * (k - s_.k_first)] * (own.value[i + 1] - own.value[i]);
       subtract(out, column, k, -force);
       subtract(out, column, k + 1, force);
     }

@@ -19,10 +19,12 @@ struct ColumnResidual {
 };
 
 /// Residuals of all columns that have any: those with a fixed node between the ends of a block, and
-/// those that lie in several blocks, whose predictions differ. Per column, empty or one for each block.
+/// those that lie in several blocks, whose predictions differ. Per column, empty or one for each
+/// block.
 using Residuals = std::vector<std::vector<ColumnResidual>>;
 
-/// Sets the free nodes of `points` to their predictions (the mean over blocks where there are several).
+/// Sets the free nodes of `points` to their predictions (the mean over blocks where there are
+/// several).
 void set_predictions(const Extrusion& extrusion, const LayerMotion& motion,
                      const std::vector<char>& fixed, Points& points, ThreadTeam& team);
 
@@ -32,8 +34,8 @@ Residuals find_residuals(const Extrusion& extrusion, const LayerMotion& motion,
 
 double largest(const Residuals& residuals);
 
-/// Right-hand side - sum over blocks of A_block residual_block, times `scale`, in the layout of `system`:
-/// so the corrections of all blocks together leave no force at a free node.
+/// Right-hand side - sum over blocks of A_block residual_block, times `scale`, in the layout of
+/// `system`: so the corrections of all blocks together leave no force at a free node.
 std::vector<float> right_hand_side(const Extrusion& extrusion, const LayerMotion& motion,
                                    const BaseMetric& metric, const Residuals& residuals,
                                    const LayeredSystem& system, double scale, ThreadTeam& team);
