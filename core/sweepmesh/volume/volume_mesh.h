@@ -1,9 +1,11 @@
 // The result: nodes, elements by kind, groups, and where each node came from.
 //
-//   hexahedron       7------6     prism      5        Node order is VTK's and Abaqus': the first ring
-//                   /|     /|               /|\       counterclockwise seen from the second, which lies
-//                  4------5 |              3---4      above it. (FreeCAD's own order is the mirror image;
-//                  | 3----|-2              | 2 |      see io/ and Mod/sweepmesh/app.)
+//   hexahedron       7------6     prism      5        Node order is VTK's and Abaqus': the first
+//   ring
+//                   /|     /|               /|\       counterclockwise seen from the second, which
+//                   lies
+//                  4------5 |              3---4      above it. (FreeCAD's own order is the mirror
+//                  image; | 3----|-2              | 2 |      see io/ and Mod/sweepmesh/app.)
 //                  |/     |/               |/ \|
 //                  0------1                0---1
 #pragma once
