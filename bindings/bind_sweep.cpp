@@ -59,6 +59,7 @@ void bind_sweep(py::module_& module) {
   py::class_<SweepResult>(module, "SweepResult",
                           "Arrays are views: they live as long as this object.")
       .def_readonly("assessment", &SweepResult::assessment)
+      .def_readonly("quality", &SweepResult::quality)
       .def_readonly("size", &SweepResult::size)
       .def_readonly("warnings", &SweepResult::warnings)
       .def_readonly("seconds", &SweepResult::seconds)
@@ -81,6 +82,13 @@ void bind_sweep(py::module_& module) {
   using unlocked = py::call_guard<py::gil_scoped_release>;
   module.def("sweep", &sweep, py::arg("model"), py::arg("picks"), py::arg("options"),
              py::arg("context"), unlocked());
+  module.def(
+      "scaled_jacobians",
+      [](const SweepResult& result, const Context& context) {
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
+            scaled_jacobians(result.mesh, context).data(), result.quality.n_elements));
+      },
+      py::arg("result"), py::arg("context"), unlocked());
   module.def("assess", &assess, py::arg("model"), py::arg("picks"), py::arg("context"), unlocked());
 }
 

@@ -7,5 +7,6 @@ PYBIND11_MODULE(_sweepmesh, module) {
   sweepmesh::bind_context(module);
   sweepmesh::bind_model(module);
   sweepmesh::bind_scheme(module);
+  sweepmesh::bind_quality(module);
   sweepmesh::bind_sweep(module);
 }

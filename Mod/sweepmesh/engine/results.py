@@ -75,6 +75,8 @@ class Result:
     """int32, per node: the number of that vertex, edge or face, from 1; 0 inside."""
     quality: dict
     """min_scaled_jacobian, mean_scaled_jacobian, n_inverted, histogram (counts of 20 bins from -1 to 1)."""
+    scaled_jacobians: numpy.ndarray
+    """float64, per element: hexahedra, then prisms."""
     seconds: Dict[str, float]
     """Time of each stage."""
     size: float
@@ -90,7 +92,7 @@ class Result:
         return len(self.hexahedra) + len(self.prisms)
 
     @classmethod
-    def from_core(cls, core):
+    def from_core(cls, core, scaled_jacobians):
         """From the C++ module's SweepResult; large arrays are views of its memory."""
         inside = core.owner_index < 0
         return cls(
@@ -103,7 +105,8 @@ class Result:
             boundary_faces=core.boundary_face + 1,
             owner_kind=numpy.where(inside, INSIDE, core.owner_kind).astype(numpy.int8),
             owner_number=numpy.where(inside, 0, core.owner_index + 1).astype(numpy.int32),
-            quality={},
+            quality=_quality(core.quality),
+            scaled_jacobians=scaled_jacobians,
             seconds=dict(core.seconds),
             size=core.size,
             intervals={f"Edge{i + 1}": n for i, n in enumerate(core.edge_intervals) if n > 0},
@@ -114,3 +117,12 @@ class Result:
 
 def _roles(scheme):
     return {f"Face{i + 1}": role.name for i, role in enumerate(scheme.face_role) if role.name != "none"}
+
+
+def _quality(report):
+    return {
+        "min_scaled_jacobian": report.scaled_jacobian.min,
+        "mean_scaled_jacobian": report.scaled_jacobian.mean,
+        "n_inverted": report.n_inverted,
+        "histogram": list(report.histogram),
+    }

@@ -38,9 +38,10 @@ def mesh(shape, options=None, progress=None):
     def work(context):
         model = as_model(shape)
         seconds["read"] = time.perf_counter() - started
-        return _sweepmesh.sweep(model, options.picks(model.n_faces), options.to_core(), context)
+        core = _sweepmesh.sweep(model, options.picks(model.n_faces), options.to_core(), context)
+        return core, _sweepmesh.scaled_jacobians(core, context)
 
-    result = Result.from_core(run(work, options.threads, progress))
+    result = Result.from_core(*run(work, options.threads, progress))
     result.seconds = {**seconds, **result.seconds}
     result.seconds["total"] = time.perf_counter() - started
     return result

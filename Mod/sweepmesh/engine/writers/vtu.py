@@ -8,7 +8,8 @@ from sweepmesh.engine import numbering
 def write_result(path, result):
     """Writes the volume elements of a Result.
 
-    Points carry `OwnerKind` (0 vertex, 1 edge, 2 face, 3 inside) and `OwnerNumber`, from 1 as in FreeCAD.
+    Points carry `OwnerKind` (0 vertex, 1 edge, 2 face, 3 inside) and `OwnerNumber`, from 1 as in FreeCAD;
+    cells carry `ScaledJacobian`.
     """
     blocks = [
         (numbering.VTK_HEXAHEDRON, result.hexahedra),
@@ -19,6 +20,7 @@ def write_result(path, result):
         result.points,
         blocks,
         point_data={"OwnerKind": result.owner_kind, "OwnerNumber": result.owner_number},
+        cell_data={"ScaledJacobian": result.scaled_jacobians},
     )
 
 
