@@ -9,6 +9,7 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
+#include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/scheme.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
@@ -17,29 +18,34 @@ namespace sweepmesh {
 enum class ElementKind { hex, prism, polyhedron };
 
 struct SweepOptions {
-  /// Wished edge length, > 0 and finite. Empty: a twentieth root of the volume is not asked for; the size
-  /// is chosen so that about 3000 elements result.
+  /// Wished edge length, > 0 and finite. Empty: a twentieth root of the volume is not asked for;
+  /// the size is chosen so that about 3000 elements result.
   std::optional<double> size;
   /// Layers from the lowest to the highest level, >= 1. Empty: from the size.
   std::optional<int> layers;
   ElementKind element = ElementKind::hex;
   int order = 1;
-  /// The run is refused (InputError that says the count) when more elements than this are to be expected.
+  /// The run is refused (InputError that says the count) when more elements than this are to be
+  /// expected.
   long max_elements = 5'000'000;
 };
 
 struct SweepResult {
-  Assessment assessment;            ///< not sweepable: the mesh is empty
+  Assessment assessment;  ///< not sweepable: the mesh is empty
   Intervals intervals;
   VolumeMesh mesh;
-  double size = 0.0;                ///< the element size that was used
+  QualityReport quality;  ///< of `mesh`
+  double size = 0.0;      ///< the element size that was used
   std::vector<std::string> warnings;
-  std::map<std::string, double> seconds;  ///< per stage: assess, imprint, intervals, surface, place, quality
+  std::map<std::string, double>
+      seconds;  ///< per stage: assess, imprint, intervals, surface, place, quality
 };
 
-/// Decides (or takes from `picks`) sources and targets, meshes caps and linking faces, and places the
-/// interior. Throws the stages' errors; a solid that cannot be swept is a normal result with reasons.
-SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options, Context& context);
+/// Decides (or takes from `picks`) sources and targets, meshes caps and linking faces, and places
+/// the interior. Throws the stages' errors; a solid that cannot be swept is a normal result with
+/// reasons.
+SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
+                  Context& context);
 
 /// The verdict alone.
 Assessment assess(const Model& model, const Picks& picks, Context& context);

@@ -10,8 +10,8 @@
 
 namespace sweepmesh {
 
-/// Shared by the thread that works and the thread that watches. The library writes progress here and
-/// never calls back; the watcher polls. All members may be used from any thread.
+/// Shared by the thread that works and the thread that watches. The library writes progress here
+/// and never calls back; the watcher polls. All members may be used from any thread.
 class Context {
  public:
   /// `n_threads` 0 means as many as the machine has; results do not depend on it.

@@ -14,6 +14,8 @@ using Point3 = Eigen::Vector3d;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// z component of the cross product of two plane vectors.
-inline double cross2(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross2(const Point2& a, const Point2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 }  // namespace sweepmesh

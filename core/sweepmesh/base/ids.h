@@ -28,9 +28,15 @@ using FaceId = Id<struct FaceTag>;      ///< a CAD face
 using NodeId = Id<struct NodeTag>;      ///< a node of a surface mesh
 using ColumnId = Id<struct ColumnTag>;  ///< a base node with its range of layers
 
-inline std::string name_of(VertexId id) { return "Vertex" + std::to_string(id.index + 1); }
-inline std::string name_of(EdgeId id) { return "Edge" + std::to_string(id.index + 1); }
-inline std::string name_of(FaceId id) { return "Face" + std::to_string(id.index + 1); }
+inline std::string name_of(VertexId id) {
+  return "Vertex" + std::to_string(id.index + 1);
+}
+inline std::string name_of(EdgeId id) {
+  return "Edge" + std::to_string(id.index + 1);
+}
+inline std::string name_of(FaceId id) {
+  return "Face" + std::to_string(id.index + 1);
+}
 
 }  // namespace sweepmesh
 

@@ -1,12 +1,14 @@
 // Read-only view of one solid of an OpenCASCADE shape: the one place that knows OpenCASCADE.
 //
-// Numbers are those of FreeCAD: FaceId{6} is "Face7", the seventh entry of TopExp::MapShapes over the
-// whole shape, whichever solid is looked at. A degenerate edge (the pole of a sphere) has a number too,
-// as in FreeCAD's Edges list it has not: `name_of(EdgeId)` is right because degenerate edges are kept
-// out of the map.
+// Numbers are those of FreeCAD: FaceId{6} is "Face7", the seventh entry of TopExp::MapShapes over
+// the whole shape, whichever solid is looked at. A degenerate edge (the pole of a sphere) has a
+// number there too, but no EdgeId is ever handed out for it.
 //
 // Faces are oriented by the solid: normals point out of the material, and the loops run with the
-// material's face on their left when seen from outside (outer loop counterclockwise, holes clockwise).
+// material's face on their left when seen from outside (outer loop counterclockwise, holes
+// clockwise). Parameters (u,v) are right-handed seen from outside, that is du x dv points out of
+// the material: for a face that OpenCASCADE holds reversed, u and v are swapped. So loops are
+// counterclockwise in (u,v) too.
 #pragma once
 
 #include <memory>
@@ -22,7 +24,7 @@ namespace sweepmesh {
 
 /// One use of an edge by a loop of a face.
 struct Coedge {
-  EdgeId edge;            ///< invalid for a degenerate edge (a pole), which has no length
+  EdgeId edge;  ///< invalid for a degenerate edge (a pole), which has no length
   FaceId face;
   bool reversed = false;  ///< the loop runs from the edge's end to its start
   bool seam = false;      ///< the face uses the edge twice (a cylinder's seam)
@@ -30,12 +32,14 @@ struct Coedge {
   int slot = -1;          ///< internal: which parameter curve this is
 };
 
-/// A closed chain of coedges: coedge i ends where coedge i + 1 starts. Loop 0 of a face is the outer.
+/// A closed chain of coedges: coedge i ends where coedge i + 1 starts. Loop 0 of a face is the
+/// outer.
 using Loop = std::vector<Coedge>;
 
 class Model {
  public:
-  /// Reads .step/.stp/.brep/.brp/.iges/.igs. Throws InputError (no such file, unreadable, no solid...).
+  /// Reads .step/.stp/.brep/.brp/.iges/.igs. Throws InputError (no such file, unreadable, no
+  /// solid...).
   static Model from_file(const std::string& path, int solid = 0);
   /// From text in OpenCASCADE's BREP format (FreeCAD's `Shape.exportBrepToString()`).
   static Model from_brep(const std::string& text, int solid = 0);
@@ -92,17 +96,20 @@ class Model {
   std::pair<double, double> range(const Coedge&) const;
   /// Parameters of the face's point closest to `p`, within the surface (not trimmed).
   Point2 project(FaceId, const Point3& p) const;
+  /// Parameter of the edge's point closest to `p`.
+  double project(EdgeId, const Point3& p) const;
   /// Distance of a point to the trimmed face, edge.
   double distance(FaceId, const Point3& p) const;
   double distance(EdgeId, const Point3& p) const;
   /// The face nearest to a point (the lowest number of those equally near).
   FaceId nearest_face(const Point3& p) const;
 
-  /// Interior angle of the face where `coedge` of a loop ends and the next starts, in 0..2 pi, measured
-  /// in the tangent plane. `loop` and `i` as in loops(face)[loop][i]. Degenerate neighbours are skipped.
+  /// Interior angle of the face where `coedge` of a loop ends and the next starts, in 0..2 pi,
+  /// measured in the tangent plane. `loop` and `i` as in loops(face)[loop][i]. Degenerate
+  /// neighbours are skipped.
   double interior_angle(FaceId face, int loop, int i) const;
-  /// Angle through the material between the edge's two faces, in 0..2 pi, at a fraction of its length:
-  /// pi where they are tangent, below pi for a convex edge. Pi for a seam.
+  /// Angle through the material between the edge's two faces, in 0..2 pi, at a fraction of its
+  /// length: pi where they are tangent, below pi for a convex edge. Pi for a seam.
   double dihedral(EdgeId, double fraction = 0.5) const;
 
   struct Impl;

@@ -17,26 +17,31 @@ enum class EdgeRole { none, transverse, axial };
 /// The value is the turn of the boundary there, in quarter turns to the left.
 enum class VertexType { end = 1, side = 0, corner = -1, reversal = -2 };
 
-/// Direction of a coedge in the (i, k) plane of its linking face, with the face's normal (out of the
-/// solid) towards the viewer: k up, i to the right. The face lies on the coedge's left, so a coedge along
-/// +i has the face above it (at larger k), one along +k has it on the side of smaller i.
+/// Direction of a coedge in the (i, k) plane of its linking face, with the face's normal (out of
+/// the solid) towards the viewer: k up, i to the right. The face lies on the coedge's left, so a
+/// coedge along +i has the face above it (at larger k), one along +k has it on the side of smaller
+/// i.
 enum class Direction { plus_i = 0, plus_k = 1, minus_i = 2, minus_k = 3 };
 
-inline bool is_axial(Direction d) { return d == Direction::plus_k || d == Direction::minus_k; }
-inline Direction opposite(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 2) % 4); }
+inline bool is_axial(Direction d) {
+  return d == Direction::plus_k || d == Direction::minus_k;
+}
+inline Direction opposite(Direction d) {
+  return static_cast<Direction>((static_cast<int>(d) + 2) % 4);
+}
 inline Direction turned(Direction d, VertexType t) {
   return static_cast<Direction>((static_cast<int>(d) + static_cast<int>(t) + 4) % 4);
 }
 
-/// Of one linking face, shaped like Model::loops(face). `direction[l][c]` is that of coedge c of loop l;
-/// `type[l][c]` is that of the vertex where coedge c ends and the next starts.
+/// Of one linking face, shaped like Model::loops(face). `direction[l][c]` is that of coedge c of
+/// loop l; `type[l][c]` is that of the vertex where coedge c ends and the next starts.
 struct FaceScheme {
   std::vector<std::vector<Direction>> direction;
   std::vector<std::vector<VertexType>> type;
 };
 
-/// Roles and types for a whole solid; vectors are indexed by the whole shape's ids and are `none` (or
-/// empty) for entities of other solids and for what has no such property.
+/// Roles and types for a whole solid; vectors are indexed by the whole shape's ids and are `none`
+/// (or empty) for entities of other solids and for what has no such property.
 struct Scheme {
   std::vector<FaceRole> face_role;
   std::vector<EdgeRole> edge_role;
@@ -53,7 +58,8 @@ struct Scheme {
 
 enum class ReasonKind { topological, geometric, prescribed, unsupported };
 
-/// Why a solid cannot be swept (as picked). `text` is a whole sentence; `entities` are FreeCAD names.
+/// Why a solid cannot be swept (as picked). `text` is a whole sentence; `entities` are FreeCAD
+/// names.
 struct Reason {
   ReasonKind kind;
   std::string text;

@@ -21,7 +21,8 @@ struct Owner {
 struct SurfaceMesh {
   std::vector<Point3> points;
   std::vector<Owner> owner;
-  std::vector<int> k;  ///< layer of a node of a linking face or of a cap's boundary; -1 inside a cap
+  std::vector<int>
+      k;  ///< layer of a node of a linking face or of a cap's boundary; -1 inside a cap
 
   /// Cells in compressed rows (3, 4 or more nodes), counterclockwise seen from outside the solid.
   std::vector<int> cell_offset = {0};
