@@ -13,12 +13,6 @@ namespace {
 /// Costs up to which schemes are looked for, one after the other until one is found: with a low limit most choices are ruled out at once.
 constexpr std::array kCostLimits = {1.0, 4.0, 16.0, 64.0, kImpossible};
 
-std::vector<std::string> names(const std::vector<FaceId>& faces) {
-  std::vector<std::string> out;
-  for (FaceId f : faces) out.push_back(name_of(f));
-  return out;
-}
-
 int index_of(const SweepProblem& problem, FaceId id) {
   const auto at = std::ranges::find(problem.faces, id, &ProblemFace::id);
   if (at == problem.faces.end())
@@ -54,15 +48,28 @@ std::vector<Reason> open_edges(const SweepProblem& problem) {
            entities}};
 }
 
+double lightest_burden(const Network& network, const std::vector<Division>& divisions) {
+  double out = kImpossible;
+  for (const Division& d : divisions) out = std::min(out, rank_of(network, d).burden);
+  return out;
+}
+
+/// Raises the limit of cost until something is found, then once more so far that nothing of lighter burden is missed (the cost is
+/// part of the burden).
 SearchResult search(const Network& network, const Choices& start, SearchOptions options,
                     const Context& context) {
   SearchResult result;
   for (double limit : kCostLimits) {
     options.max_cost = limit;
     result = search_divisions(network, start, options, context);
-    if (!result.divisions.empty()) break;
+    options.max_effort -= result.effort;
+    if (!result.divisions.empty() || options.max_effort <= 0) break;
   }
-  return result;
+  const double burden = lightest_burden(network, result.divisions);
+  if (burden == kImpossible || burden <= options.max_cost || options.max_effort <= 0) return result;
+  options.max_cost = burden;
+  SearchResult wider = search_divisions(network, start, options, context);
+  return wider.divisions.empty() ? result : wider;
 }
 
 std::vector<Scheme> ranked(const Model& model, const Network& network,

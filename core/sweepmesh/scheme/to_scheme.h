@@ -19,7 +19,7 @@ struct Rank {
 };
 
 struct RankOptions {
-  double per_extra_cap = 0.25;  ///< each cap beyond one source and one target has to be imprinted
+  double per_extra_cap = 0.5;  ///< each cap beyond one source and one target has to be imprinted
   double per_annulus = 0.5;     ///< linking face whose grid closes upon itself around a hole
   double per_cap_seam = 0.5;    ///< seam inside a cap: its mesh has to close upon itself
 };
