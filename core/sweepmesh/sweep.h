@@ -9,6 +9,7 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
+#include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/scheme.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
@@ -33,7 +34,8 @@ struct SweepResult {
   Assessment assessment;  ///< not sweepable: the mesh is empty
   Intervals intervals;
   VolumeMesh mesh;
-  double size = 0.0;  ///< the element size that was used
+  QualityReport quality;  ///< of `mesh`
+  double size = 0.0;      ///< the element size that was used
   std::vector<std::string> warnings;
   std::map<std::string, double>
       seconds;  ///< per stage: assess, imprint, intervals, surface, place, quality

@@ -1,0 +1,115 @@
+#include "sweepmesh/scheme/loop_program.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace sweepmesh {
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr int kMaxTurning = 48;
+constexpr std::array kTypes = {VertexType::end, VertexType::side, VertexType::corner,
+                               VertexType::reversal};
+
+int direction_after(int first, int turning) { return ((first + turning) % 4 + 4) % 4; }
+
+/// Costs by (coedge, turning since coedge 0), for one direction of coedge 0. Only turnings are kept from which the sum can still
+/// be met.
+class TurningTable {
+ public:
+  TurningTable(int n, int sum) : n_(n), sum_(sum), width_(2 * kMaxTurning + 1) {
+    cost_.assign((n + 1) * width_, kInf);
+  }
+  int lowest(int c) const { return std::max({-2 * c, sum_ - (n_ - c), -kMaxTurning}); }
+  int highest(int c) const { return std::min({c, sum_ + 2 * (n_ - c), kMaxTurning}); }
+  bool has(int c, int turning) const { return turning >= lowest(c) && turning <= highest(c); }
+  double& at(int c, int turning) { return cost_[c * width_ + turning + kMaxTurning]; }
+
+ private:
+  int n_, sum_, width_;
+  std::vector<double> cost_;
+};
+
+class LoopSolver {
+ public:
+  explicit LoopSolver(const LoopProgram& loop)
+      : loop_(loop), n_(static_cast<int>(loop.type_cost.size())) {
+    out_.best = kInf;
+    out_.marginal.assign(n_, {kInf, kInf, kInf, kInf});
+  }
+
+  LoopMarginals solve() {
+    for (int first = 0; first < 4; ++first)
+      if (loop_.direction_cost[0][first] < kInf) solve_from(first);
+    return std::move(out_);
+  }
+
+ private:
+  /// Cost of arriving at coedge `c` (coedge n is coedge 0 again, at no further cost).
+  double arrival(int first, int c, int turning) const {
+    if (c == n_) return 0.0;
+    return loop_.direction_cost[c][direction_after(first, turning)];
+  }
+
+  void solve_from(int first) {
+    TurningTable ahead(n_, loop_.sum), behind(n_, loop_.sum);
+    if (!ahead.has(0, 0) || !ahead.has(n_, loop_.sum)) return;
+    ahead.at(0, 0) = arrival(first, 0, 0);
+    behind.at(n_, loop_.sum) = 0.0;
+    for (int c = 0; c < n_; ++c) sweep_forward(first, c, ahead);
+    for (int c = n_ - 1; c >= 0; --c) sweep_backward(first, c, ahead, behind);
+    for (int c = 0; c < n_; ++c)
+      for (int h = ahead.lowest(c); h <= ahead.highest(c); ++h) {
+        double& best = out_.marginal[c][direction_after(first, h)];
+        best = std::min(best, ahead.at(c, h) + behind.at(c, h));
+        out_.best = std::min(out_.best, best);
+      }
+  }
+
+  void sweep_forward(int first, int c, TurningTable& ahead) {
+    for (int h = ahead.lowest(c); h <= ahead.highest(c); ++h) {
+      if (ahead.at(c, h) == kInf) continue;
+      for (int t = 0; t < 4; ++t) {
+        const int next = h + static_cast<int>(kTypes[t]);
+        if (!ahead.has(c + 1, next)) continue;
+        const double cost = ahead.at(c, h) + loop_.type_cost[c][t] + arrival(first, c + 1, next);
+        ahead.at(c + 1, next) = std::min(ahead.at(c + 1, next), cost);
+      }
+    }
+  }
+
+  /// behind(c, h): cost of everything after coedge c, its own corner included.
+  void sweep_backward(int first, int c, TurningTable& ahead, TurningTable& behind) {
+    for (int h = ahead.lowest(c); h <= ahead.highest(c); ++h) {
+      if (ahead.at(c, h) == kInf) continue;
+      for (int t = 0; t < 4; ++t) {
+        const int next = h + static_cast<int>(kTypes[t]);
+        if (!ahead.has(c + 1, next)) continue;
+        const double cost =
+            behind.at(c + 1, next) + loop_.type_cost[c][t] + arrival(first, c + 1, next);
+        behind.at(c, h) = std::min(behind.at(c, h), cost);
+      }
+    }
+  }
+
+  const LoopProgram& loop_;
+  int n_;
+  LoopMarginals out_;
+};
+
+}  // namespace
+
+LoopMarginals loop_marginals(const LoopProgram& loop) {
+  if (loop.type_cost.empty()) return {kInf, {}};
+  return LoopSolver(loop).solve();
+}
+
+std::array<double, 4> corner_costs(double angle, const AngleLimits& limits) {
+  std::array<double, 4> out;
+  for (int t = 0; t < 4; ++t)
+    out[t] = is_vertex_allowed(angle, kTypes[t], limits) ? angle_cost(angle, kTypes[t]) : kInf;
+  return out;
+}
+
+}  // namespace sweepmesh

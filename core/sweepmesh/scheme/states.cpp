@@ -1,0 +1,48 @@
+#include "sweepmesh/scheme/states.h"
+
+#include <bit>
+
+namespace sweepmesh {
+
+namespace {
+
+constexpr int state(Direction d) { return static_cast<int>(d); }
+
+double edge_cost(const ProblemEdge& edge, VertexType type, const AngleLimits& limits) {
+  if (!is_edge_allowed(edge.least, edge.largest, type, limits)) return kImpossible;
+  return angle_cost(edge.mean, type);
+}
+
+void set_both(PairCosts& costs, int a, int b, double cost) {
+  costs[a][b] = cost;
+  costs[b][a] = cost;
+}
+
+}  // namespace
+
+int first_state(StateSet set) { return std::countr_zero(set); }
+
+PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits) {
+  const double end = edge_cost(edge, VertexType::end, limits);
+  const double side = edge_cost(edge, VertexType::side, limits);
+  const double corner = edge_cost(edge, VertexType::corner, limits);
+  PairCosts costs;
+  for (auto& row : costs) row.fill(kImpossible);
+  set_both(costs, state(Direction::plus_i), state(Direction::minus_i), side);
+  if (!edge.is_closed) set_both(costs, state(Direction::plus_k), state(Direction::minus_k), 0.0);
+  set_both(costs, state(Direction::minus_i), kSourceState, end);
+  set_both(costs, state(Direction::plus_i), kSourceState, corner);
+  set_both(costs, state(Direction::plus_i), kTargetState, end);
+  set_both(costs, state(Direction::minus_i), kTargetState, corner);
+  costs[kSourceState][kSourceState] = side;
+  costs[kTargetState][kTargetState] = side;
+  return costs;
+}
+
+std::vector<PairCosts> pair_costs(const SweepProblem& problem, const AngleLimits& limits) {
+  std::vector<PairCosts> out;
+  for (const ProblemEdge& edge : problem.edges) out.push_back(pair_costs(edge, limits));
+  return out;
+}
+
+}  // namespace sweepmesh

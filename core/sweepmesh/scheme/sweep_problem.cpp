@@ -1,0 +1,130 @@
+#include "sweepmesh/scheme/sweep_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace sweepmesh {
+
+namespace {
+
+/// Away from the ends, where a blend may have no normal, and symmetric.
+constexpr std::array kDihedralFractions = {0.1, 0.3, 0.5, 0.7, 0.9};
+
+double heading(const Model& model, const Coedge& coedge) {
+  const double t = model.at_length_fractions(coedge.edge, {0.5}).front();
+  const Eigen::Matrix<double, 3, 2> d = model.derivatives(coedge.face, model.uv(coedge, t));
+  const Point3 normal = model.normal(coedge.face, model.uv(coedge, t));
+  Point3 tangent = model.tangent(coedge.edge, t);
+  if (coedge.reversed) tangent = -tangent;
+  const Point3 x = d.col(0).normalized();
+  return std::atan2(tangent.dot(normal.cross(x)), tangent.dot(x));
+}
+
+void measure(const Model& model, ProblemEdge& edge) {
+  if (edge.is_seam) {
+    edge.least = edge.mean = edge.largest = std::numbers::pi;
+    return;
+  }
+  edge.least = 2 * std::numbers::pi;
+  edge.mean = edge.largest = 0.0;
+  for (double fraction : kDihedralFractions) {
+    const double angle = model.dihedral(edge.id, fraction);
+    edge.least = std::min(edge.least, angle);
+    edge.largest = std::max(edge.largest, angle);
+    edge.mean += angle / kDihedralFractions.size();
+  }
+}
+
+/// Adds a face and its coedges; partners are filled in when both uses of an edge are known.
+void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, SweepProblem& out) {
+  ProblemFace face;
+  face.id = id;
+  face.area = model.area(id);
+  const auto& loops = model.loops(id);
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    ProblemLoop loop{static_cast<int>(out.coedges.size()), 0};
+    for (std::size_t i = 0; i < loops[l].size(); ++i) {
+      const Coedge& coedge = loops[l][i];
+      if (!coedge.edge.is_valid()) {
+        face.is_degenerate = true;
+        continue;
+      }
+      ProblemCoedge c;
+      c.face = static_cast<int>(out.faces.size());
+      c.loop = static_cast<int>(l);
+      c.place = static_cast<int>(i);
+      c.edge = edge_index.at(coedge.edge);
+      c.start = coedge.start.index;
+      c.end = coedge.end.index;
+      c.angle = model.interior_angle(id, c.loop, c.place);
+      c.heading = heading(model, coedge);
+      c.length = model.length(coedge.edge);
+      ProblemEdge& edge = out.edges[c.edge];
+      if (edge.coedge[0] < 0) edge.chord = model.point(coedge.end) - model.point(coedge.start);
+      (edge.coedge[0] < 0 ? edge.coedge[0] : edge.coedge[1]) = static_cast<int>(out.coedges.size());
+      out.coedges.push_back(c);
+      ++loop.count;
+    }
+    face.loops.push_back(loop);
+  }
+  out.faces.push_back(std::move(face));
+}
+
+}  // namespace
+
+SweepProblem sweep_problem(const Model& model, const Context& context) {
+  SweepProblem out;
+  std::map<EdgeId, int> edge_index;
+  for (EdgeId id : model.edges()) {
+    context.check("assess");
+    edge_index[id] = static_cast<int>(out.edges.size());
+    ProblemEdge edge;
+    edge.id = id;
+    const auto& uses = model.coedges(id);
+    edge.is_seam = !uses.empty() && uses.front().seam;
+    edge.is_closed = model.start(id) == model.end(id);
+    measure(model, edge);
+    out.edges.push_back(edge);
+  }
+  for (FaceId id : model.faces()) {
+    context.check("assess");
+    add_face(model, id, edge_index, out);
+  }
+  for (const ProblemEdge& edge : out.edges) {
+    const auto [a, b] = edge.coedge;
+    if (a < 0 || b < 0) continue;
+    out.coedges[a].partner = b;
+    out.coedges[b].partner = a;
+  }
+  for (VertexId v : model.vertices()) out.n_vertices = std::max(out.n_vertices, v.index + 1);
+  number_shells(out);
+  return out;
+}
+
+void number_shells(SweepProblem& problem) {
+  for (ProblemFace& face : problem.faces) face.shell = -1;
+  int n_shells = 0;
+  for (std::size_t seed = 0; seed < problem.faces.size(); ++seed) {
+    if (problem.faces[seed].shell >= 0) continue;
+    std::vector<std::size_t> open = {seed};
+    problem.faces[seed].shell = n_shells;
+    while (!open.empty()) {
+      const ProblemFace& face = problem.faces[open.back()];
+      open.pop_back();
+      for (const ProblemLoop& loop : face.loops)
+        for (int c = loop.first; c < loop.first + loop.count; ++c) {
+          const int partner = problem.coedges[c].partner;
+          if (partner < 0) continue;
+          const int other = problem.coedges[partner].face;
+          if (problem.faces[other].shell >= 0) continue;
+          problem.faces[other].shell = n_shells;
+          open.push_back(other);
+        }
+    }
+    ++n_shells;
+  }
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,83 @@
+// What the scheme stage needs to know of a solid, as plain numbers: who meets whom, and at what angle.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sweepmesh/base/context.h"
+#include "sweepmesh/base/geometry.h"
+#include "sweepmesh/base/ids.h"
+#include "sweepmesh/model/model.h"
+
+namespace sweepmesh {
+
+/// One use of an edge by a loop; degenerate coedges are left out (ProblemFace::is_degenerate tells).
+/// Indices are those of SweepProblem's vectors.
+struct ProblemCoedge {
+  int face = -1;
+  int loop = -1;
+  int place = -1;        ///< position in Model::loops(face)[loop]
+  int edge = -1;
+  int partner = -1;      ///< the other use of the edge
+  int start = -1, end = -1;  ///< vertices (VertexId::index), along the loop
+  double angle = 0.0;    ///< interior angle of the face where this coedge ends, radians
+  double heading = 0.0;  ///< of the coedge's middle in the face's tangent plane, from d/du, radians
+  double length = 0.0;
+};
+
+/// A loop is a run of coedges: `first` .. `first + count - 1`, in order. Loop 0 is the outer one.
+struct ProblemLoop {
+  int first = 0;
+  int count = 0;
+};
+
+struct ProblemFace {
+  FaceId id;
+  std::vector<ProblemLoop> loops;
+  bool is_degenerate = false;  ///< has a pole: cannot carry a structured grid
+  double area = 0.0;
+  int shell = 0;  ///< faces joined by edges have the same number; 0 is the first face's
+};
+
+struct ProblemEdge {
+  EdgeId id;
+  std::array<int, 2> coedge = {-1, -1};
+  /// Angle through the material, radians: the least, the mean and the largest along the edge.
+  double least = 0.0, mean = 0.0, largest = 0.0;
+  bool is_seam = false;
+  bool is_closed = false;  ///< starts and ends at one vertex
+  Point3 chord = Point3::Zero();  ///< from the start to the end of coedge[0]
+};
+
+/// Faces, coedges and edges of one solid in the order of the model's ids; a pure value.
+struct SweepProblem {
+  std::vector<ProblemFace> faces;
+  std::vector<ProblemCoedge> coedges;
+  std::vector<ProblemEdge> edges;
+  int n_vertices = 0;  ///< one more than the largest vertex index in use
+
+  /// The coedges of a face are a run too, as its loops follow one another.
+  int first_coedge(int face) const {
+    return faces[face].loops.empty() ? 0 : faces[face].loops.front().first;
+  }
+  int n_coedges(int face) const {
+    int n = 0;
+    for (const ProblemLoop& loop : faces[face].loops) n += loop.count;
+    return n;
+  }
+
+  /// The coedge that follows `c` on its loop.
+  int next(int c) const {
+    const ProblemLoop& loop = faces[coedges[c].face].loops[coedges[c].loop];
+    return c + 1 == loop.first + loop.count ? loop.first : c + 1;
+  }
+};
+
+/// Measures a solid: interior angles at the corners of every loop, dihedral angles at five places of every
+/// edge, headings at the middle of every coedge. Cost: a few evaluations an edge.
+SweepProblem sweep_problem(const Model& model, const Context& context);
+
+/// Numbers the connected groups of faces (ProblemFace::shell); called by sweep_problem.
+void number_shells(SweepProblem& problem);
+
+}  // namespace sweepmesh
