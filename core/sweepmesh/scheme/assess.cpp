@@ -11,7 +11,7 @@ namespace sweepmesh {
 namespace {
 
 /// Costs up to which schemes are looked for, one after the other until one is found: with a low limit most choices are ruled out at once.
-constexpr std::array kCostLimits = {1.0, 4.0, 16.0, 64.0, kImpossible};
+constexpr std::array kCostLimits = {2.0, 4.0, 8.0, 16.0, 64.0, kImpossible};
 
 int index_of(const SweepProblem& problem, FaceId id) {
   const auto at = std::ranges::find(problem.faces, id, &ProblemFace::id);
@@ -48,14 +48,6 @@ std::vector<Reason> open_edges(const SweepProblem& problem) {
            entities}};
 }
 
-double lightest_burden(const Network& network, const std::vector<Division>& divisions) {
-  double out = kImpossible;
-  for (const Division& d : divisions) out = std::min(out, rank_of(network, d).burden);
-  return out;
-}
-
-/// Raises the limit of cost until something is found, then once more so far that nothing of lighter burden is missed (the cost is
-/// part of the burden).
 SearchResult search(const Network& network, const Choices& start, SearchOptions options,
                     const Context& context) {
   SearchResult result;
@@ -65,11 +57,7 @@ SearchResult search(const Network& network, const Choices& start, SearchOptions 
     options.max_effort -= result.effort;
     if (!result.divisions.empty() || options.max_effort <= 0) break;
   }
-  const double burden = lightest_burden(network, result.divisions);
-  if (burden == kImpossible || burden <= options.max_cost || options.max_effort <= 0) return result;
-  options.max_cost = burden;
-  SearchResult wider = search_divisions(network, start, options, context);
-  return wider.divisions.empty() ? result : wider;
+  return result;
 }
 
 std::vector<Scheme> ranked(const Model& model, const Network& network,
@@ -88,7 +76,7 @@ std::vector<Scheme> ranked(const Model& model, const Network& network,
 Assessment assess(const Model& model, const Picks& picks, Context& context) {
   SweepProblem problem = sweep_problem(model, context);
   if (auto reasons = open_edges(problem); !reasons.empty()) return {{}, reasons};
-  const Network network = make_network(std::move(problem), {});
+  const Network network = make_network(std::move(problem), strict_limits());
   Choices start = open_choices(network);
   apply(picks, network, start);
   SearchOptions options;

@@ -67,7 +67,8 @@ class Search {
         if ((start.role[f] & kSourceStates) && may_link != is_cap_only) seeds.push_back(f);
       }
     for (int seed : seeds) {
-      if (is_exhausted() || !(start.role[seed] & kSourceStates)) return;
+      if (is_exhausted()) return;
+      if (!(start.role[seed] & kSourceStates)) continue;
       const bool is_last = !(start.role[seed] & kLinkingStates);
       try_role(start, seed, kSourceStates);
       if (is_last) return;
