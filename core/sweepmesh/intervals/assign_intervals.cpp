@@ -43,6 +43,11 @@ Intervals to_intervals(const IntervalDemands& demands, const CountSolution& solu
   }
   for (const int u : demands.vertex)
     out.k.push_back(u < 0 ? -1 : static_cast<int>(solution.values[u] - low));
+  for (const auto& loops : demands.offset) {
+    out.loop_i.emplace_back();
+    for (const int u : loops)
+      out.loop_i.back().push_back(u < 0 ? 0 : static_cast<int>(solution.values[u]));
+  }
   out.n_layers = static_cast<int>(high - low);
   return out;
 }

@@ -13,7 +13,6 @@ namespace {
 constexpr std::array kDihedralFractions = {0.1, 0.3, 0.5, 0.7, 0.9};
 
 double heading(const Model& model, const Coedge& coedge) {
-  const auto [first, last] = model.range(coedge.edge);
   const double t = model.at_length_fractions(coedge.edge, {0.5}).front();
   const Eigen::Matrix<double, 3, 2> d = model.derivatives(coedge.face, model.uv(coedge, t));
   const Point3 normal = model.normal(coedge.face, model.uv(coedge, t));
@@ -61,8 +60,10 @@ void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, 
       c.end = coedge.end.index;
       c.angle = model.interior_angle(id, c.loop, c.place);
       c.heading = heading(model, coedge);
-      auto& uses = out.edges[c.edge].coedge;
-      (uses[0] < 0 ? uses[0] : uses[1]) = static_cast<int>(out.coedges.size());
+      c.length = model.length(coedge.edge);
+      ProblemEdge& edge = out.edges[c.edge];
+      if (edge.coedge[0] < 0) edge.chord = model.point(coedge.end) - model.point(coedge.start);
+      (edge.coedge[0] < 0 ? edge.coedge[0] : edge.coedge[1]) = static_cast<int>(out.coedges.size());
       out.coedges.push_back(c);
       ++loop.count;
     }

@@ -22,6 +22,7 @@ struct ProblemCoedge {
   int start = -1, end = -1;  ///< vertices (VertexId::index), along the loop
   double angle = 0.0;    ///< interior angle of the face where this coedge ends, radians
   double heading = 0.0;  ///< of the coedge's middle in the face's tangent plane, from d/du, radians
+  double length = 0.0;
 };
 
 /// A loop is a run of coedges: `first` .. `first + count - 1`, in order. Loop 0 is the outer one.
@@ -45,6 +46,7 @@ struct ProblemEdge {
   double least = 0.0, mean = 0.0, largest = 0.0;
   bool is_seam = false;
   bool is_closed = false;  ///< starts and ends at one vertex
+  Point3 chord = Point3::Zero();  ///< from the start to the end of coedge[0]
 };
 
 /// Faces, coedges and edges of one solid in the order of the model's ids; a pure value.
@@ -53,6 +55,16 @@ struct SweepProblem {
   std::vector<ProblemCoedge> coedges;
   std::vector<ProblemEdge> edges;
   int n_vertices = 0;  ///< one more than the largest vertex index in use
+
+  /// The coedges of a face are a run too, as its loops follow one another.
+  int first_coedge(int face) const {
+    return faces[face].loops.empty() ? 0 : faces[face].loops.front().first;
+  }
+  int n_coedges(int face) const {
+    int n = 0;
+    for (const ProblemLoop& loop : faces[face].loops) n += loop.count;
+    return n;
+  }
 
   /// The coedge that follows `c` on its loop.
   int next(int c) const {

@@ -172,10 +172,15 @@ class Editor {
   }
 
   int valence(int node) const { return static_cast<int>(at_node_[node].size()); }
-  /// Change of the sum of squares when `node` gets `change` more quads.
+  /// How far a node with `n` quads is from its wish; the boundary cannot give way, so it counts more.
+  double cost(int node, int n) const {
+    constexpr double boundary_weight = 3.0;
+    const double off = n - wish_[node];
+    return (node < n_boundary_ ? boundary_weight : 1.0) * off * off;
+  }
+  /// Change of the cost when `node` gets `change` more quads.
   double gain(int node, int change) const {
-    const double off = valence(node) - wish_[node];
-    return (off + change) * (off + change) - off * off;
+    return cost(node, valence(node) + change) - cost(node, valence(node));
   }
   /// A boundary node needs one quad, an inside node three.
   bool may_lose(int node) const { return valence(node) > (node < n_boundary_ ? 1 : 3); }
@@ -239,10 +244,8 @@ class Editor {
     for (const int other : at_node_[gone])
       for (const int node : quads_[other])
         if (node == kept && quads_[other] != quad) return false;
-    const double off_kept = valence(kept) - wish_[kept], off_gone = valence(gone) - wish_[gone];
-    const double off_joined = valence(kept) + valence(gone) - 2 - wish_[kept];
-    const double change = off_joined * off_joined - off_kept * off_kept - off_gone * off_gone +
-                          gain(left, -1) + gain(right, -1);
+    const double change = gain(kept, valence(gone) - 2) - cost(gone, valence(gone)) + gain(left, -1) +
+                          gain(right, -1);
     return change < least_gain;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "sweepmesh/numerics/gmsh/gmsh.h"
@@ -32,10 +33,27 @@ void check_input(const PlanarLoops& loops, const PlanarMeshOptions& options) {
     throw InputError("surface", "A cap's boundary has an odd number of mesh edges, so quads cannot fill it.");
 }
 
+/// Shortest by longest edge, the mean over all cells.
+double mean_edge_ratio(const PlanarMesh& mesh, const Metric& metric) {
+  double sum = 0.0;
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    const Eigen::Matrix2d root = metric ? metric(mesh.points[cell[0]]) : Eigen::Matrix2d::Identity();
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      const double length = (root * (mesh.points[cell[(i + 1) % cell.size()]] - mesh.points[cell[i]])).norm();
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+    }
+    sum += shortest / longest;
+  }
+  return sum / std::max(1, mesh.n_cells());
+}
+
 /// How good a mesh is as a whole: the worst cell counts most.
 double score(const PlanarMesh& mesh, const Metric& metric) {
   const PlanarQuality q = quality(mesh.points, mesh, metric);
-  return q.min + 0.5 * q.mean;
+  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
 }
 
 PlanarMesh from_gmsh(const GmshMesh& made, const PlanarLoops& loops) {

@@ -61,6 +61,17 @@ std::optional<Sides> logical_corners(const std::vector<Point2>& loop) {
   return best;
 }
 
+/// No corner: a sharp one would be cut in two by the O-grid's rings.
+bool is_smooth(const std::vector<Point2>& loop) {
+  constexpr double sharpest = 55.0 / 180.0 * std::numbers::pi;
+  constexpr int least_count = 8;
+  const int n = static_cast<int>(loop.size());
+  if (n < least_count) return false;
+  for (int i = 0; i < n; ++i)
+    if (turn(loop, i) > sharpest) return false;
+  return true;
+}
+
 /// Four points of a smooth loop that make a rectangle whose sides are as long as their counts.
 Sides inscribed_rectangle(const std::vector<Point2>& loop) {
   const int n = static_cast<int>(loop.size());
@@ -214,8 +225,7 @@ std::vector<PlanarMesh> structured_candidates(const PlanarLoops& loops, double s
   if (loops.size() == 2 && loops[0].size() == loops[1].size()) out.push_back(ring(loops, size));
   if (loops.size() != 1 || loops[0].size() % 2 != 0 || loops[0].size() < 4) return out;
   if (const auto sides = logical_corners(loops[0])) out.push_back(mapped(loops, *sides));
-  constexpr std::size_t least_for_o_grid = 8;
-  if (loops[0].size() >= least_for_o_grid)
+  if (is_smooth(loops[0]))
     out.push_back(o_grid(loops, inscribed_rectangle(loops[0])));
   return out;
 }
