@@ -29,59 +29,70 @@ std::vector<EdgeId> first_met(const std::vector<Candidate>& candidates, bool upw
   return out;
 }
 
-bool is_in(VertexId v, const std::vector<VertexId>& sorted) {
-  return std::binary_search(sorted.begin(), sorted.end(), v);
+bool have_common(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
+  return std::any_of(a.begin(), a.end(), [&](EdgeId e) {
+    return std::find(b.begin(), b.end(), e) != b.end();
+  });
 }
 
 }  // namespace
 
-Occupancy::Occupancy(const Model& model, const Walls& walls, const Reference& reference)
-    : model_(model), walls_(walls), curve_(walls.k.size()), coincidence_(reference.coincidence) {
+Occupancy::Occupancy(const Walls& walls, const Reference& reference)
+    : walls_(walls), curve_(walls.k.size()), coincidence_(reference.coincidence) {
   for (const ReferenceCurve& c : reference.curves) curve_[c.edge.index] = &c.points;
+}
+
+std::optional<Occupancy::Reach> Occupancy::reach(const Place& place, bool upwards) const {
+  const FaceId face = (upwards ? walls_.above : walls_.below)[place.edge.index];
+  if (!face.is_valid()) return std::nullopt;
+  const int k = walls_.k[place.edge.index];
+  std::vector<Candidate> candidates;
+  for (const EdgeId e : (upwards ? walls_.tops : walls_.bottoms)[face.index]) {
+    const int ke = walls_.k[e.index];
+    if (upwards ? ke > k : ke < k)
+      candidates.push_back({e, ke, nearest(*curve_[e.index], place.point).distance});
+  }
+  auto edges = first_met(candidates, upwards, 2 * coincidence_);
+  if (edges.empty()) return std::nullopt;
+  const int end = walls_.k[edges.front().index];
+  return Reach{face, end, std::move(edges)};
 }
 
 Occupancy::Span Occupancy::span(const Place& place) const {
   const int k = walls_.k[place.edge.index];
   Span out{k, k, {place.edge}, {place.edge}};
-  const auto met = [&](FaceId face, bool upwards) {
-    std::vector<Candidate> candidates;
-    for (const EdgeId e : (upwards ? walls_.tops : walls_.bottoms)[face.index]) {
-      const int ke = walls_.k[e.index];
-      if (upwards ? ke > k : ke < k)
-        candidates.push_back({e, ke, nearest(*curve_[e.index], place.point).distance});
-    }
-    return first_met(candidates, upwards, 2 * coincidence_);
-  };
-  if (const FaceId f = walls_.above[place.edge.index]; f.is_valid())
-    if (auto tops = met(f, true); !tops.empty()) {
-      out.high = walls_.k[tops.front().index];
-      out.tops = std::move(tops);
-    }
-  if (const FaceId f = walls_.below[place.edge.index]; f.is_valid())
-    if (auto bottoms = met(f, false); !bottoms.empty()) {
-      out.low = walls_.k[bottoms.front().index];
-      out.bottoms = std::move(bottoms);
-    }
+  if (auto up = reach(place, true)) out.high = up->k, out.tops = std::move(up->edges);
+  if (auto down = reach(place, false)) out.low = down->k, out.bottoms = std::move(down->edges);
   return out;
 }
 
-bool Occupancy::touch_rightly(const std::vector<EdgeId>& lower, const std::vector<EdgeId>& upper,
-                              const std::vector<VertexId>& shared) const {
-  for (const EdgeId a : lower)
-    for (const EdgeId b : upper) {
-      if (a == b) return true;
-      for (const VertexId v : {model_.start(a), model_.end(a)})
-        if (is_in(v, shared) && (v == model_.start(b) || v == model_.end(b))) return true;
+Occupancy::Column Occupancy::column(const std::vector<VertexId>& vertices,
+                                    const std::vector<Place>& ends) const {
+  Column out{std::numeric_limits<int>::max(), std::numeric_limits<int>::min(), {}, {}};
+  for (const Place& p : ends) {
+    out.low = std::min(out.low, walls_.k[p.edge.index]);
+    out.high = std::max(out.high, walls_.k[p.edge.index]);
+  }
+  for (const VertexId v : vertices)
+    if (const int k = walls_.vertex_k[v.index]; k >= 0) {
+      out.low = std::min(out.low, k);
+      out.high = std::max(out.high, k);
     }
-  return false;
+  for (const Place& p : ends) {
+    if (walls_.k[p.edge.index] == out.high)
+      if (auto up = reach(p, true)) out.up.push_back(std::move(*up));
+    if (walls_.k[p.edge.index] == out.low)
+      if (auto down = reach(p, false)) out.down.push_back(std::move(*down));
+  }
+  return out;
 }
 
-bool Occupancy::collide(const Place& a, const Place& b, const std::vector<VertexId>& shared) const {
+bool Occupancy::collide(const Place& a, const Place& b) const {
   if (a.edge == b.edge) return true;
   const Span sa = span(a), sb = span(b);
   if (sa.high < sb.low || sb.high < sa.low) return false;
-  if (sa.high == sb.low) return !touch_rightly(sa.tops, sb.bottoms, shared);
-  if (sb.high == sa.low) return !touch_rightly(sb.tops, sa.bottoms, shared);
+  if (sa.high == sb.low) return !have_common(sa.tops, sb.bottoms);
+  if (sb.high == sa.low) return !have_common(sb.tops, sa.bottoms);
   const int ka = walls_.k[a.edge.index], kb = walls_.k[b.edge.index];
   const auto ends_one_face = [&](EdgeId low, EdgeId high) {
     const FaceId f = walls_.above[low.index];
@@ -89,6 +100,28 @@ bool Occupancy::collide(const Place& a, const Place& b, const std::vector<Vertex
   };
   if (ka < kb) return !(ends_one_face(a.edge, b.edge) && (sa.high == kb || sb.low == ka));
   return !(ends_one_face(b.edge, a.edge) && (sb.high == ka || sa.low == kb));
+}
+
+bool Occupancy::collide(const Column& a, const Column& b) const {
+  if (a.low > b.high) return collide(b, a);
+  if (a.high >= b.low) return true;
+  int high = a.high, low = b.low;
+  for (const Reach& up : a.up) high = std::max(high, up.k);
+  for (const Reach& down : b.down) low = std::min(low, down.k);
+  if (high < low) return false;
+  for (const Reach& up : a.up)
+    for (const Reach& down : b.down)
+      if (up.face == down.face || (up.k == down.k && have_common(up.edges, down.edges)))
+        return false;
+  return true;
+}
+
+bool Occupancy::collide(const Column& a, const Place& b) const {
+  const int k = walls_.k[b.edge.index];
+  Column column{k, k, {}, {}};
+  if (auto up = reach(b, true)) column.up.push_back(std::move(*up));
+  if (auto down = reach(b, false)) column.down.push_back(std::move(*down));
+  return collide(a, column);
 }
 
 }  // namespace sweepmesh

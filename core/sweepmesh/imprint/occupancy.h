@@ -1,6 +1,7 @@
 // Which layers of a column are taken by the CAD edges and linking faces that pass over a point of R.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sweepmesh/imprint/reference.h"
@@ -9,11 +10,11 @@
 namespace sweepmesh {
 
 /// Two things may share a column of R only where they take different layers, or belong together: a
-/// linking face and the edges at its two ends, edges that meet in a vertex. Whatever else is brought
-/// together would close a gap or a thin piece of the solid.
+/// linking face and the edges at its two ends. Whatever else is brought together would close a gap or
+/// a thin piece of the solid.
 class Occupancy {
  public:
-  Occupancy(const Model& model, const Walls& walls, const Reference& reference);
+  Occupancy(const Walls& walls, const Reference& reference);
 
   /// A CAD edge at a place of R that lies on it (or near it: it may have been moved).
   struct Place {
@@ -21,9 +22,26 @@ class Occupancy {
     Point2 point;
   };
 
-  /// Whether the edges, brought to one place, would collide. `shared` are the CAD vertices that lie
-  /// there, ascending: edges that end in one of them may touch.
-  bool collide(const Place& a, const Place& b, const std::vector<VertexId>& shared = {}) const;
+  /// A linking face that goes on from the end of a column, up to layer `k` and the edges there.
+  struct Reach {
+    FaceId face;
+    int k;
+    std::vector<EdgeId> edges;
+  };
+  /// CAD vertices and axial edges over each other in the layers low..high, and what goes on from
+  /// there.
+  struct Column {
+    int low, high;
+    std::vector<Reach> up, down;
+  };
+
+  /// The column of vertices at which the edges `ends` end, each given at a place near its end.
+  Column column(const std::vector<VertexId>& vertices, const std::vector<Place>& ends) const;
+
+  /// Whether the edges or columns, brought to one place, would collide.
+  bool collide(const Place& a, const Place& b) const;
+  bool collide(const Column& a, const Column& b) const;
+  bool collide(const Column& a, const Place& b) const;
 
   /// Layers taken by an edge and the linking faces above and below it, and the edges where these
   /// begin and end.
@@ -34,10 +52,8 @@ class Occupancy {
   Span span(const Place& place) const;
 
  private:
-  bool touch_rightly(const std::vector<EdgeId>& lower, const std::vector<EdgeId>& upper,
-                     const std::vector<VertexId>& shared) const;
+  std::optional<Reach> reach(const Place& place, bool upwards) const;
 
-  const Model& model_;
   const Walls& walls_;
   std::vector<const Polyline*> curve_;
   double coincidence_;

@@ -12,10 +12,10 @@ namespace {
 
 using Place = Occupancy::Place;
 
-/// Columns of CAD vertices: a forest in which the lowest vertex of each is the root.
-class Columns {
+/// Sets of numbers that are joined; the lowest of each is its root.
+class Forest {
  public:
-  explicit Columns(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Forest(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
   int root(int v) const {
     while (parent_[v] != v) v = parent_[v];
     return v;
@@ -37,7 +37,7 @@ class Overlayer {
         scheme_(scheme),
         walls_(walls),
         reference_(reference),
-        occupancy_(model, walls, reference),
+        occupancy_(walls, reference),
         near_(merge_distance),
         context_(context) {}
 
@@ -58,49 +58,63 @@ class Overlayer {
  private:
   // --- nodes -------------------------------------------------------------------------------------
 
+  /// CAD vertices joined by axial edges are a column; columns that lie near each other and do not
+  /// collide are a node.
   void make_nodes() {
-    Columns columns(model_.n_vertices());
+    Forest columns(model_.n_vertices());
     for (const EdgeId e : model_.edges())
       if (scheme_.edge_role[e.index] == EdgeRole::axial)
         columns.join(model_.start(e).index, model_.end(e).index);
-    join_near(columns);
+    std::map<int, std::vector<VertexId>> vertices;  // by root
+    for (const VertexId v : model_.vertices()) vertices[columns.root(v.index)].push_back(v);
+    for (const auto& [root, list] : vertices) {
+      std::vector<Place> ends;
+      for (const VertexId v : list)
+        for (const Place& p : places_at(v)) ends.push_back(p);
+      if (!ends.empty()) columns_.push_back({list, occupancy_.column(list, ends)});
+    }
+    Forest nodes(static_cast<int>(columns_.size()));
+    join_near(nodes);
+    std::vector<int> node(columns_.size(), -1);
     node_of_.assign(model_.n_vertices(), -1);
-    for (const VertexId v : model_.vertices()) {
-      const int root = columns.root(v.index);
-      if (node_of_[root] < 0) {
-        node_of_[root] = static_cast<int>(graph_.nodes.size());
-        graph_.nodes.push_back({reference_.vertex[root], {}});
+    for (int c = 0; c < static_cast<int>(columns_.size()); ++c) {
+      int& n = node[nodes.root(c)];
+      if (n < 0) n = add_node(place_of(c));
+      node[c] = n;
+      columns_in_[n].push_back(c);
+      auto& cad = graph_.nodes[n].cad;
+      for (const VertexId v : columns_[c].vertices) {
+        node_of_[v.index] = n;
+        cad.insert(std::upper_bound(cad.begin(), cad.end(), v), v);
       }
-      node_of_[v.index] = node_of_[root];
-      graph_.nodes[node_of_[v.index]].cad.push_back(v);
     }
   }
 
-  void join_near(Columns& columns) const {
+  const Point2& place_of(int column) const {
+    return reference_.vertex[columns_[column].vertices.front().index];
+  }
+
+  void join_near(Forest& nodes) const {
     std::vector<std::tuple<double, int, int>> pairs;
-    const auto& vertices = model_.vertices();
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      for (std::size_t j = i + 1; j < vertices.size(); ++j) {
-        const int a = vertices[i].index, b = vertices[j].index;
-        const double d = (reference_.vertex[a] - reference_.vertex[b]).norm();
-        if (d < near_) pairs.emplace_back(d, a, b);
-      }
+    const int n = static_cast<int>(columns_.size());
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        if (const double d = (place_of(a) - place_of(b)).norm(); d < near_)
+          pairs.emplace_back(d, a, b);
     std::sort(pairs.begin(), pairs.end());
     for (const auto& [d, a, b] : pairs)
-      if (may_join(columns, columns.root(a), columns.root(b))) columns.join(a, b);
+      if (may_join(nodes, nodes.root(a), nodes.root(b))) nodes.join(a, b);
   }
 
-  bool may_join(const Columns& columns, int a, int b) const {
-    if (a == b || (reference_.vertex[a] - reference_.vertex[b]).norm() > near_) return false;
-    std::vector<VertexId> shared;
-    std::vector<Place> at_a, at_b;
-    for (const VertexId v : model_.vertices()) {
-      const int root = columns.root(v.index);
-      if (root != a && root != b) continue;
-      shared.push_back(v);
-      for (const Place& p : places_at(v)) (root == a ? at_a : at_b).push_back(p);
-    }
-    return !collide(at_a, at_b, shared);
+  bool may_join(const Forest& nodes, int a, int b) const {
+    if (a == b || (place_of(a) - place_of(b)).norm() > near_) return false;
+    const int n = static_cast<int>(columns_.size());
+    for (int p = 0; p < n; ++p)
+      for (int q = 0; q < n; ++q)
+        if (nodes.root(p) == a && nodes.root(q) == b &&
+            occupancy_.collide(columns_[p].column, columns_[q].column))
+          return false;
+    return true;
   }
 
   /// The edges that end in a vertex, each a little way along it.
@@ -118,12 +132,19 @@ class Overlayer {
     return at_arc(line, length(line) * (at_start ? little : 1.0 - little)).point;
   }
 
-  bool collide(const std::vector<Place>& a, const std::vector<Place>& b,
-               const std::vector<VertexId>& shared = {}) const {
+  bool collide(const std::vector<Place>& a, const std::vector<Place>& b) const {
     for (const Place& p : a)
       for (const Place& q : b)
-        if (occupancy_.collide(p, q, shared)) return true;
+        if (occupancy_.collide(p, q)) return true;
     return false;
+  }
+
+  bool collide_at_node(int node, const std::vector<Place>& there) const {
+    if (const auto found = columns_in_.find(node); found != columns_in_.end())
+      for (const int c : found->second)
+        for (const Place& p : there)
+          if (occupancy_.collide(columns_[c].column, p)) return true;
+    return collide(places_through(node), there);
   }
 
   // --- pieces ------------------------------------------------------------------------------------
@@ -146,12 +167,17 @@ class Overlayer {
     return out;
   }
 
-  std::vector<Place> places_around(int node) const {
+  /// Edges that pass through a node without a CAD vertex of theirs.
+  std::vector<Place> places_through(int node) const {
     std::vector<Place> out;
+    const auto add = [&](const PieceTrace& t, bool at_start) {
+      if (node_of_[model_.start(t.edge).index] != node && node_of_[model_.end(t.edge).index] != node)
+        out.push_back({t.edge, beside(t.line, at_start)});
+    };
     for (int p = 0; p < n_pieces(); ++p)
       for (const PieceTrace& t : graph_.pieces[p].traces) {
-        if (graph_.pieces[p].start == node) out.push_back({t.edge, beside(t.line, true)});
-        if (graph_.pieces[p].end == node) out.push_back({t.edge, beside(t.line, false)});
+        if (graph_.pieces[p].start == node) add(t, true);
+        if (graph_.pieces[p].end == node) add(t, false);
       }
     return out;
   }
@@ -187,9 +213,7 @@ class Overlayer {
     for (const Snap& s : snaps) {
       if (is_cut[s.piece]) continue;
       const double fraction = s.arc / length(graph_.pieces[s.piece].points);
-      const auto around = places_around(s.node);
-      if (around.empty() || collide(around, places_on(s.piece, fraction), graph_.nodes[s.node].cad))
-        continue;
+      if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
       split(graph_, s.piece, s.arc, s.node);
       is_cut[s.piece] = any = true;
     }
@@ -374,7 +398,13 @@ class Overlayer {
   const double near_;
   const Context& context_;
   PieceGraph graph_;
-  std::vector<int> node_of_;  ///< by VertexId
+  struct CadColumn {
+    std::vector<VertexId> vertices;
+    Occupancy::Column column;
+  };
+  std::vector<CadColumn> columns_;
+  std::map<int, std::vector<int>> columns_in_;  ///< by node
+  std::vector<int> node_of_;                    ///< by VertexId; -1 where no curve ends in its column
   std::vector<Merge> merges_;
   std::vector<int> alive_;  ///< pieces of the last arrangement's polylines
   PlaneArrangement arrangement_;

@@ -43,6 +43,7 @@ void add_coedge(const Coedge& c, Direction d, Walls& walls) {
 
 Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int>& k) {
   Walls walls;
+  walls.vertex_k = k;
   walls.k.assign(model.n_edges(), -1);
   walls.above.resize(model.n_edges());
   walls.below.resize(model.n_edges());

@@ -9,8 +9,9 @@
 
 namespace sweepmesh {
 
-/// Vectors by EdgeId or FaceId of the whole shape.
+/// Vectors by EdgeId, FaceId or VertexId of the whole shape.
 struct Walls {
+  std::vector<int> vertex_k;  ///< layer of a vertex; -1 where it has none
   std::vector<int> k;         ///< layer of a transverse or cap-to-cap edge; -1 for others
   std::vector<FaceId> above;  ///< the linking face that stands on the edge; invalid if none
   std::vector<FaceId> below;  ///< the linking face that ends at the edge from below
