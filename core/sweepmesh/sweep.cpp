@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sweepmesh/intervals/assign_intervals.h"
-#include "sweepmesh/intervals/wished_counts.h"
+#include "sweepmesh/intervals/wishes.h"
 #include "sweepmesh/boundary.h"
 #include "sweepmesh/second_order_on_model.h"
 #include "sweepmesh/volume/place.h"
