@@ -16,3 +16,7 @@ PRISM_TO_VTK = [0, 2, 1, 3, 5, 4]
 HEXAHEDRON_TO_SMESH = [0, 3, 2, 1, 4, 7, 6, 5]
 PRISM_TO_SMESH = [0, 2, 1, 3, 5, 4]
 """SMESH (FreeCAD's Fem.FemMesh) keeps the mirror image of both."""
+
+HEXAHEDRON_SIDES = [(0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)]
+PRISM_SIDES = [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)]
+"""Corners of the sides S1, S2, ... of Abaqus and CalculiX."""

@@ -5,8 +5,8 @@ import numpy
 from sweepmesh.engine import numbering
 
 
-def write_result(path, result):
-    """Writes the volume elements of a Result.
+def write_result(path, result, point_data=None):
+    """Writes the volume elements of a Result, and `point_data` {name: array with a row a node} with them.
 
     Points carry `OwnerKind` (0 vertex, 1 edge, 2 face, 3 inside) and `OwnerNumber`, from 1 as in FreeCAD;
     cells carry `ScaledJacobian`.
@@ -19,7 +19,7 @@ def write_result(path, result):
         path,
         result.points,
         blocks,
-        point_data={"OwnerKind": result.owner_kind, "OwnerNumber": result.owner_number},
+        point_data={"OwnerKind": result.owner_kind, "OwnerNumber": result.owner_number, **(point_data or {})},
         cell_data={"ScaledJacobian": result.scaled_jacobians},
     )
 
