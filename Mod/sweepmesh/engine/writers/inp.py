@@ -4,41 +4,43 @@ import numpy
 
 from sweepmesh.engine import numbering
 
-SET_WIDTH = 10
-"""Numbers on a line of a set; the format allows 16."""
+LINE_WIDTH = 10
+"""Numbers on a line; the format allows 16."""
 
 
 def write_result(path, result):
-    """Writes nodes, elements (C3D8, C3D6) and for each CAD face a node set `Nodes_Face7` and a surface `Face7`.
+    """Writes nodes, elements and for each CAD face a node set `Nodes_Face7` and a surface `Face7`.
 
-    Nodes and elements are numbered from 1: hexahedra, then prisms. The element set `Solid` has all.
+    Elements are C3D8, C3D6, or C3D20, C3D15 of second order. Nodes and elements are numbered from 1:
+    hexahedra, then prisms. The element set `Solid` has all.
     """
     with open(path, "w", encoding="ascii") as file:
         file.write("** SweepMesh\n*NODE, NSET=Nodes\n")
-        _write_rows(file, numpy.arange(1, len(result.points) + 1), result.points, "%.16g")
+        _write_rows(file, result.points, "%.16g")
         first = 1
-        for kind, nodes in (("C3D8", result.hexahedra), ("C3D6", result.prisms)):
+        for nodes in (result.hexahedra, result.prisms):
             if len(nodes):
-                file.write(f"*ELEMENT, TYPE={kind}, ELSET=Solid\n")
-                _write_rows(file, numpy.arange(first, first + len(nodes)), nodes + 1, "%d")
+                file.write(f"*ELEMENT, TYPE={numbering.ABAQUS_TYPES[nodes.shape[1]]}, ELSET=Solid\n")
+                _write_rows(file, nodes + 1, "%d", first)
                 first += len(nodes)
         _write_faces(file, result)
 
 
-def _write_rows(file, numbers, rows, form):
-    template = "%d" + f", {form}" * rows.shape[1] + "\n"
-    file.writelines(template % (number, *row) for number, row in zip(numbers.tolist(), rows.tolist()))
+def _write_rows(file, rows, form, first=1):
+    """Each row on a line with its number before it, long ones on several lines."""
+    separators = [",\n" if (i + 1) % LINE_WIDTH == 0 else ", " for i in range(rows.shape[1])]
+    template = "%d" + "".join(separator + form for separator in separators) + "\n"
+    file.writelines(template % (first + i, *row) for i, row in enumerate(rows.tolist()))
 
 
 def _write_faces(file, result):
     elements, sides = boundary_sides(result)
-    sizes = numpy.diff(result.boundary_offsets)
-    face_of_node = numpy.repeat(result.boundary_faces, sizes)
+    face_of_node = numpy.repeat(result.boundary_faces, numpy.diff(result.boundary_offsets))
     for face in numpy.unique(result.boundary_faces):
         nodes = numpy.unique(result.boundary_nodes[face_of_node == face]) + 1
         file.write(f"*NSET, NSET=Nodes_Face{face}\n")
-        for start in range(0, len(nodes), SET_WIDTH):
-            file.write(", ".join(map(str, nodes[start : start + SET_WIDTH])) + "\n")
+        for start in range(0, len(nodes), LINE_WIDTH):
+            file.write(", ".join(map(str, nodes[start : start + LINE_WIDTH])) + "\n")
         file.write(f"*SURFACE, NAME=Face{face}, TYPE=ELEMENT\n")
         its = result.boundary_faces == face
         file.writelines(f"{element}, S{side}\n" for element, side in zip(elements[its], sides[its]))
@@ -67,8 +69,8 @@ def boundary_sides(result):
 
 
 def _corners(result):
-    """The boundary's polygons as an (n, 4) array, -1 for a triangle's fourth corner."""
-    starts, sizes = result.boundary_offsets[:-1], numpy.diff(result.boundary_offsets)
+    """The corners of the boundary's polygons as an (n, 4) array, -1 for a triangle's fourth."""
+    starts, sizes = result.boundary_offsets[:-1], result.boundary_sizes()
     corners = result.boundary_nodes[starts[:, None] + numpy.minimum(numpy.arange(4), sizes[:, None] - 1)]
     corners[sizes == 3, 3] = -1
     return corners

@@ -12,8 +12,8 @@ def write_result(path, result, point_data=None):
     cells carry `ScaledJacobian`.
     """
     blocks = [
-        (numbering.VTK_HEXAHEDRON, result.hexahedra),
-        (numbering.VTK_WEDGE, result.prisms[:, numbering.PRISM_TO_VTK]),
+        (numbering.VTK_TYPES[nodes.shape[1]], nodes[:, numbering.TO_VTK[nodes.shape[1]]])
+        for nodes in (result.hexahedra, result.prisms)
     ]
     write_vtu(
         path,
