@@ -1,11 +1,13 @@
 #include "sweepmesh/sweep.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "sweepmesh/intervals/assign_intervals.h"
-#include "sweepmesh/intervals/wished_counts.h"
+#include "sweepmesh/intervals/wishes.h"
 #include "sweepmesh/boundary.h"
 #include "sweepmesh/second_order_on_model.h"
 #include "sweepmesh/volume/place.h"
@@ -52,6 +54,15 @@ void check_options(const SweepOptions& options) {
   if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
   if (options.element == ElementKind::polyhedron)
     refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
+}
+
+void check_picks(const Picks& picks) {
+  for (const FaceId source : picks.sources)
+    if (std::find(picks.targets.begin(), picks.targets.end(), source) != picks.targets.end())
+      refuse(name_of(source) + " is given as a source and as a target.", {name_of(source)});
+  for (const auto& [source, target] : picks.pairs)
+    if (source == target)
+      refuse(name_of(source) + " is paired with itself.", {name_of(source)});
 }
 
 IntervalOptions interval_options(const SweepOptions& options, double size) {
@@ -102,6 +113,7 @@ double default_size(const Model& model) {
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context) {
   check_options(options);
+  check_picks(picks);
   SweepResult result;
   StageClock clock(result.seconds);
   result.size = options.size.value_or(default_size(model));
