@@ -1,8 +1,8 @@
 // The caps divided so that every piece of a source lies over exactly one piece of a target.
 //
 // All columns of a sweep stand on one plane *reference domain* R: a linking face is a curve there
-// with a range of layers k, a cap is a region at one k, an edge of a cap a curve at one k. Laid over
-// each other, these curves divide R into *patches*. A *run* is what the solid holds over a patch
+// with a range of levels, a cap is a region at one level, an edge of a cap a curve at one level. Laid
+// over each other, these curves divide R into *patches*. A *run* is what the solid holds over a patch
 // without interruption: a target below, a source above. A patch with several runs has a slot.
 //
 //        source A   | source B          R:  +-----+-----+
@@ -26,7 +26,7 @@ namespace sweepmesh {
 /// A part of a CAD edge that an imprint edge stands for.
 struct Trace {
   EdgeId edge;
-  int k = 0;           ///< layer of the CAD edge
+  int level = 0;       ///< of the CAD edge
   double first, last;  ///< parameters on the CAD edge at the imprint edge's start and end
 };
 
@@ -38,12 +38,12 @@ struct ImprintVertex {
 struct ImprintEdge {
   int start = -1, end = -1;    ///< vertices; equal for a closed edge
   std::vector<Point2> points;  ///< in R, both ends included
-  std::vector<Trace> traces;   ///< ascending k; at most one for each k
+  std::vector<Trace> traces;   ///< ascending levels
 };
 
 struct Run {
-  int k_low = 0, k_high = 0;  ///< k_low < k_high
-  FaceId target, source;      ///< the caps at k_low and k_high
+  int low = 0, high = 0;  ///< levels, low < high
+  FaceId target, source;  ///< the caps there
 };
 
 struct Patch {
@@ -59,6 +59,7 @@ struct Merge {
 };
 
 struct Imprint {
+  std::vector<int> vertex_level;  ///< by VertexId (sweep_levels.h)
   std::vector<ImprintVertex> vertices;
   std::vector<ImprintEdge> edges;
   std::vector<Patch> patches;
@@ -70,9 +71,9 @@ struct Imprint {
 
 enum class ImprintFailure {
   unreachable,  ///< a curve cannot be brought to the reference domain
-  collision,    ///< two curves of the same layers lie over each other
+  collision,    ///< two curves of the same levels lie over each other
   open_run,     ///< what bounds a column below or above is not one target and one source
-  no_room       ///< a target and the source above it lie at the same layer
+  no_room       ///< a target and the source above it lie at the same level
 };
 
 /// The curves cannot be imprinted: the entities are those that stand in each other's way.

@@ -6,6 +6,7 @@
 #include "sweepmesh/imprint/overlay.h"
 #include "sweepmesh/imprint/patches.h"
 #include "sweepmesh/imprint/reference.h"
+#include "sweepmesh/imprint/sweep_levels.h"
 #include "sweepmesh/imprint/walls.h"
 
 namespace sweepmesh {
@@ -26,8 +27,8 @@ void check(const ImprintOptions& options) {
 }
 
 Reference reference_of(const Model& model, const Scheme& scheme, const Walls& walls,
-                       const std::vector<int>& k, double tolerance, const Context& context) {
-  if (const auto direction = common_direction(model, scheme, k, tolerance))
+                       const std::vector<int>& level, double tolerance, const Context& context) {
+  if (const auto direction = common_direction(model, scheme, level, tolerance))
     if (auto reference = projected_reference(model, walls, *direction, tolerance, context))
       return std::move(*reference);
   throw ImprintError(ImprintFailure::unreachable,
@@ -37,12 +38,13 @@ Reference reference_of(const Model& model, const Scheme& scheme, const Walls& wa
 
 }  // namespace
 
-Imprint imprint_caps(const Model& model, const Scheme& scheme, const std::vector<int>& k,
-                     const ImprintOptions& options, const Context& context) {
+Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
+                     const Context& context) {
   check(options);
-  const Walls walls = find_walls(model, scheme, k);
+  const std::vector<int> level = sweep_levels(model, scheme);
+  const Walls walls = find_walls(model, scheme, level);
   const double tolerance = coincidence(model, options);
-  const Reference reference = reference_of(model, scheme, walls, k, tolerance, context);
+  const Reference reference = reference_of(model, scheme, walls, level, tolerance, context);
   const double merge = std::max(tolerance, options.merge_fraction * options.size);
   return imprint_of(model, scheme, walls,
                     overlay(model, scheme, walls, reference, merge, context));

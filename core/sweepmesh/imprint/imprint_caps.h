@@ -1,4 +1,4 @@
-// From a scheme and the layers of its levels to the imprint.
+// From a scheme to the imprint.
 #pragma once
 
 #include <vector>
@@ -17,10 +17,9 @@ struct ImprintOptions {
   double merge_fraction = 0.25;
 };
 
-/// Divides the caps into patches. `k` is the layer of every vertex on a linking face or a cap's
-/// boundary (by VertexId); their order counts, not their distances.
+/// Divides the caps into patches.
 /// Throws ImprintError, InputError (options) and SolverError. See docs/imprinting.md.
-Imprint imprint_caps(const Model& model, const Scheme& scheme, const std::vector<int>& k,
-                     const ImprintOptions& options, const Context& context);
+Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
+                     const Context& context);
 
 }  // namespace sweepmesh

@@ -7,23 +7,23 @@ namespace {
 
 struct Candidate {
   EdgeId edge;
-  int k;
+  int level;
   double distance;
 };
 
-/// Of the edges over the place (those as near as the nearest one) the ones at the layer that comes
+/// Of the edges over the place (those as near as the nearest one) the ones at the level that comes
 /// first, going away from the place's own.
 std::vector<EdgeId> first_met(const std::vector<Candidate>& candidates, bool upwards,
                               double tolerance) {
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& c : candidates) least = std::min(least, c.distance);
   std::vector<EdgeId> out;
-  int k = 0;
+  int level = 0;
   for (const Candidate& c : candidates) {
     if (c.distance > least + tolerance) continue;
-    if (!out.empty() && c.k != k && (c.k > k) == upwards) continue;
-    if (out.empty() || c.k != k) out.clear();
-    k = c.k;
+    if (!out.empty() && c.level != level && (c.level > level) == upwards) continue;
+    if (out.empty() || c.level != level) out.clear();
+    level = c.level;
     out.push_back(c.edge);
   }
   return out;
@@ -38,31 +38,31 @@ bool have_common(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
 }  // namespace
 
 Occupancy::Occupancy(const Walls& walls, const Reference& reference)
-    : walls_(walls), curve_(walls.k.size()), coincidence_(reference.coincidence) {
+    : walls_(walls), curve_(walls.level.size()), coincidence_(reference.coincidence) {
   for (const ReferenceCurve& c : reference.curves) curve_[c.edge.index] = &c.points;
 }
 
 std::optional<Occupancy::Reach> Occupancy::reach(const Place& place, bool upwards) const {
   const FaceId face = (upwards ? walls_.above : walls_.below)[place.edge.index];
   if (!face.is_valid()) return std::nullopt;
-  const int k = walls_.k[place.edge.index];
+  const int level = walls_.level[place.edge.index];
   std::vector<Candidate> candidates;
   for (const EdgeId e : (upwards ? walls_.tops : walls_.bottoms)[face.index]) {
-    const int ke = walls_.k[e.index];
-    if (upwards ? ke > k : ke < k)
-      candidates.push_back({e, ke, nearest(*curve_[e.index], place.point).distance});
+    const int other = walls_.level[e.index];
+    if (upwards ? other > level : other < level)
+      candidates.push_back({e, other, nearest(*curve_[e.index], place.point).distance});
   }
   auto edges = first_met(candidates, upwards, 2 * coincidence_);
   if (edges.empty()) return std::nullopt;
-  const int end = walls_.k[edges.front().index];
+  const int end = walls_.level[edges.front().index];
   return Reach{face, end, std::move(edges)};
 }
 
 Occupancy::Span Occupancy::span(const Place& place) const {
-  const int k = walls_.k[place.edge.index];
-  Span out{k, k, {place.edge}, {place.edge}};
-  if (auto up = reach(place, true)) out.high = up->k, out.tops = std::move(up->edges);
-  if (auto down = reach(place, false)) out.low = down->k, out.bottoms = std::move(down->edges);
+  const int level = walls_.level[place.edge.index];
+  Span out{level, level, {place.edge}, {place.edge}};
+  if (auto up = reach(place, true)) out.high = up->level, out.tops = std::move(up->edges);
+  if (auto down = reach(place, false)) out.low = down->level, out.bottoms = std::move(down->edges);
   return out;
 }
 
@@ -70,18 +70,18 @@ Occupancy::Column Occupancy::column(const std::vector<VertexId>& vertices,
                                     const std::vector<Place>& ends) const {
   Column out{std::numeric_limits<int>::max(), std::numeric_limits<int>::min(), {}, {}};
   for (const Place& p : ends) {
-    out.low = std::min(out.low, walls_.k[p.edge.index]);
-    out.high = std::max(out.high, walls_.k[p.edge.index]);
+    out.low = std::min(out.low, walls_.level[p.edge.index]);
+    out.high = std::max(out.high, walls_.level[p.edge.index]);
   }
   for (const VertexId v : vertices)
-    if (const int k = walls_.vertex_k[v.index]; k >= 0) {
-      out.low = std::min(out.low, k);
-      out.high = std::max(out.high, k);
+    if (const int level = walls_.vertex_level[v.index]; level >= 0) {
+      out.low = std::min(out.low, level);
+      out.high = std::max(out.high, level);
     }
   for (const Place& p : ends) {
-    if (walls_.k[p.edge.index] == out.high)
+    if (walls_.level[p.edge.index] == out.high)
       if (auto up = reach(p, true)) out.up.push_back(std::move(*up));
-    if (walls_.k[p.edge.index] == out.low)
+    if (walls_.level[p.edge.index] == out.low)
       if (auto down = reach(p, false)) out.down.push_back(std::move(*down));
   }
   return out;
@@ -93,32 +93,32 @@ bool Occupancy::collide(const Place& a, const Place& b) const {
   if (sa.high < sb.low || sb.high < sa.low) return false;
   if (sa.high == sb.low) return !have_common(sa.tops, sb.bottoms);
   if (sb.high == sa.low) return !have_common(sb.tops, sa.bottoms);
-  const int ka = walls_.k[a.edge.index], kb = walls_.k[b.edge.index];
+  const int la = walls_.level[a.edge.index], lb = walls_.level[b.edge.index];
   const auto ends_one_face = [&](EdgeId low, EdgeId high) {
     const FaceId f = walls_.above[low.index];
     return f.is_valid() && f == walls_.below[high.index];
   };
-  if (ka < kb) return !(ends_one_face(a.edge, b.edge) && (sa.high == kb || sb.low == ka));
-  return !(ends_one_face(b.edge, a.edge) && (sb.high == ka || sa.low == kb));
+  if (la < lb) return !(ends_one_face(a.edge, b.edge) && (sa.high == lb || sb.low == la));
+  return !(ends_one_face(b.edge, a.edge) && (sb.high == la || sa.low == lb));
 }
 
 bool Occupancy::collide(const Column& a, const Column& b) const {
   if (a.low > b.high) return collide(b, a);
   if (a.high >= b.low) return true;
   int high = a.high, low = b.low;
-  for (const Reach& up : a.up) high = std::max(high, up.k);
-  for (const Reach& down : b.down) low = std::min(low, down.k);
+  for (const Reach& up : a.up) high = std::max(high, up.level);
+  for (const Reach& down : b.down) low = std::min(low, down.level);
   if (high < low) return false;
   for (const Reach& up : a.up)
     for (const Reach& down : b.down)
-      if (up.face == down.face || (up.k == down.k && have_common(up.edges, down.edges)))
+      if (up.face == down.face || (up.level == down.level && have_common(up.edges, down.edges)))
         return false;
   return true;
 }
 
 bool Occupancy::collide(const Column& a, const Place& b) const {
-  const int k = walls_.k[b.edge.index];
-  Column column{k, k, {}, {}};
+  const int level = walls_.level[b.edge.index];
+  Column column{level, level, {}, {}};
   if (auto up = reach(b, true)) column.up.push_back(std::move(*up));
   if (auto down = reach(b, false)) column.down.push_back(std::move(*down));
   return collide(a, column);

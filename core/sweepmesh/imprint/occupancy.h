@@ -1,4 +1,4 @@
-// Which layers of a column are taken by the CAD edges and linking faces that pass over a point of R.
+// Which levels of a column are taken by the CAD edges and linking faces that pass over a point of R.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace sweepmesh {
 
-/// Two things may share a column of R only where they take different layers, or belong together: a
+/// Two things may share a column of R only where they take different levels, or belong together: a
 /// linking face and the edges at its two ends. Whatever else is brought together would close a gap or
 /// a thin piece of the solid.
 class Occupancy {
@@ -22,13 +22,14 @@ class Occupancy {
     Point2 point;
   };
 
-  /// A linking face that goes on from the end of a column, up to layer `k` and the edges there.
+  /// A linking face that goes on from the end of a column, up (or down) to `level` and the edges
+  /// there.
   struct Reach {
     FaceId face;
-    int k;
+    int level;
     std::vector<EdgeId> edges;
   };
-  /// CAD vertices and axial edges over each other in the layers low..high, and what goes on from
+  /// CAD vertices and axial edges over each other in the levels low..high, and what goes on from
   /// there.
   struct Column {
     int low, high;
@@ -43,7 +44,7 @@ class Occupancy {
   bool collide(const Column& a, const Column& b) const;
   bool collide(const Column& a, const Place& b) const;
 
-  /// Layers taken by an edge and the linking faces above and below it, and the edges where these
+  /// Levels taken by an edge and the linking faces above and below it, and the edges where these
   /// begin and end.
   struct Span {
     int low, high;

@@ -2,32 +2,15 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 
+#include "sweepmesh/imprint/forest.h"
 #include "sweepmesh/imprint/pieces.h"
 
 namespace sweepmesh {
 namespace {
 
 using Place = Occupancy::Place;
-
-/// Sets of numbers that are joined; the lowest of each is its root.
-class Forest {
- public:
-  explicit Forest(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int v) const {
-    while (parent_[v] != v) v = parent_[v];
-    return v;
-  }
-  void join(int a, int b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 class Overlayer {
  public:
@@ -236,7 +219,17 @@ class Overlayer {
     for (const auto& [ends, pieces] : between)
       for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t j = i + 1; j < pieces.size(); ++j)
-          if (graph_.is_alive(pieces[i]) && graph_.is_alive(pieces[j])) merge(pieces[i], pieces[j]);
+          if (graph_.is_alive(pieces[i]) && graph_.is_alive(pieces[j])) {
+            const bool is_first = is_shape_kept(pieces[i], pieces[j]);
+            merge(pieces[is_first ? i : j], pieces[is_first ? j : i]);
+          }
+  }
+
+  /// Of two curves that come together the straighter one stays where it is.
+  bool is_shape_kept(int piece, int other) const {
+    const std::size_t n = graph_.pieces[piece].points.size();
+    const std::size_t m = graph_.pieces[other].points.size();
+    return std::tie(n, piece) < std::tie(m, other);
   }
 
   void merge(int a, int b) {
@@ -295,7 +288,8 @@ class Overlayer {
       return false;
     const double middle_b = nearest(other, at_arc(line, middle).point).arc / length(other);
     if (collide(places_on(a, middle / length(line)), places_on(b, middle_b))) return false;
-    const int node = add_node(at_arc(graph_.pieces[a].points, arc_a).point);
+    const int node = add_node(is_shape_kept(a, b) ? at_arc(graph_.pieces[a].points, arc_a).point
+                                                  : at_arc(graph_.pieces[b].points, arc_b).point);
     split(graph_, a, arc_a, node);
     split(graph_, b, arc_b, node);
     return true;
@@ -356,7 +350,7 @@ class Overlayer {
     for (const int n : {a, b})
       for (const VertexId v : graph_.nodes[n].cad) names.push_back(name_of(v));
     throw ImprintError(ImprintFailure::collision,
-                       "Vertices of the same layers lie over each other along the sweep.", names);
+                       "Vertices of the same levels lie over each other along the sweep.", names);
   }
 
   Overlay result() {
@@ -368,11 +362,11 @@ class Overlayer {
       std::vector<Trace> traces;
       for (const PieceTrace& t : graph_.pieces[alive_[use.polyline]].traces) {
         const bool is_along = use.first < use.last;
-        traces.push_back({t.edge, walls_.k[t.edge.index], is_along ? t.t.front() : t.t.back(),
+        traces.push_back({t.edge, walls_.level[t.edge.index], is_along ? t.t.front() : t.t.back(),
                           is_along ? t.t.back() : t.t.front()});
       }
       std::sort(traces.begin(), traces.end(), [](const Trace& a, const Trace& b) {
-        return std::tie(a.k, a.edge) < std::tie(b.k, b.edge);
+        return std::tie(a.level, a.edge) < std::tie(b.level, b.edge);
       });
       out.traces.push_back(std::move(traces));
     }
@@ -386,7 +380,7 @@ class Overlayer {
     const EdgeId second = graph_.pieces[alive_[b]].traces[0].edge;
     throw ImprintError(ImprintFailure::collision,
                        name_of(first) + " and " + name_of(second) +
-                           " lie over each other along the sweep, in the same layers.",
+                           " lie over each other along the sweep, in the same levels.",
                        {name_of(first), name_of(second)});
   }
 

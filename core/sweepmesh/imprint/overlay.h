@@ -1,4 +1,4 @@
-// The CAD edges of all layers laid over each other in R, near ones brought together.
+// The CAD edges of all levels laid over each other in R, near ones brought together.
 //
 // Curves become *pieces* between *nodes*. Nodes are brought onto near pieces, pieces that run near
 // each other become one, crossings become nodes, until an exact arrangement of the pieces meets
@@ -25,12 +25,12 @@ namespace sweepmesh {
 struct Overlay {
   PlaneArrangement arrangement;
   std::vector<std::vector<VertexId>> cad;   ///< by vertex of the arrangement, ascending
-  std::vector<std::vector<Trace>> traces;   ///< by edge of the arrangement, ascending k
+  std::vector<std::vector<Trace>> traces;   ///< by edge of the arrangement, ascending levels
   std::vector<Merge> merges;
 };
 
 /// `merge_distance` at least the reference's coincidence. CAD vertices joined by axial edges are one
-/// column. Throws ImprintError (collision) where curves of the same layers lie over each other.
+/// column. Throws ImprintError (collision) where curves of the same levels lie over each other.
 /// Cost: quadratic in the number of edges for their boxes, n log n else.
 Overlay overlay(const Model& model, const Scheme& scheme, const Walls& walls,
                 const Reference& reference, double merge_distance, const Context& context);

@@ -8,7 +8,7 @@
 namespace sweepmesh {
 namespace {
 
-/// A linking face over an imprint edge, in the layers low..high.
+/// A linking face over an imprint edge, in the levels low..high.
 struct Wall {
   FaceId face;
   int low, high;
@@ -43,12 +43,13 @@ class PatchFinder {
   void find_levels() {
     std::set<int> levels;
     for (const auto& traces : overlay_.traces)
-      for (const Trace& t : traces) levels.insert(t.k);
+      for (const Trace& t : traces) levels.insert(t.level);
     levels_.assign(levels.begin(), levels.end());
   }
 
-  int level_of(int k) const {
-    return static_cast<int>(std::lower_bound(levels_.begin(), levels_.end(), k) - levels_.begin());
+  int level_of(int level) const {
+    return static_cast<int>(std::lower_bound(levels_.begin(), levels_.end(), level) -
+                            levels_.begin());
   }
 
   void find_sides() {
@@ -90,7 +91,7 @@ class PatchFinder {
   void find_walls_over(std::size_t e) {
     over_.resize(arrangement_.edges.size());
     std::map<FaceId, std::vector<const Trace*>> bottoms, tops;
-    for (const Trace& t : overlay_.traces[e]) {  // ascending k
+    for (const Trace& t : overlay_.traces[e]) {  // ascending levels
       if (const FaceId f = walls_.above[t.edge.index]; f.is_valid()) bottoms[f].push_back(&t);
       if (const FaceId f = walls_.below[t.edge.index]; f.is_valid()) tops[f].push_back(&t);
     }
@@ -103,7 +104,7 @@ class PatchFinder {
                  const std::vector<const Trace*>& high) {
     bool is_right = low.size() == high.size();
     for (std::size_t i = 0; is_right && i < low.size(); ++i)
-      is_right = low[i]->k < high[i]->k && (i == 0 || high[i - 1]->k <= low[i]->k);
+      is_right = low[i]->level < high[i]->level && (i == 0 || high[i - 1]->level <= low[i]->level);
     if (!is_right) {
       std::vector<std::string> names = {name_of(face)};
       for (const auto* list : {&low, &high})
@@ -116,7 +117,7 @@ class PatchFinder {
     for (std::size_t i = 0; i < low.size(); ++i) {
       const bool is_left = walls_.solid_left_above[low[i]->edge.index];
       const bool is_against = low[i]->first > low[i]->last;
-      over_[e].push_back({face, low[i]->k, high[i]->k, is_left != is_against});
+      over_[e].push_back({face, low[i]->level, high[i]->level, is_left != is_against});
     }
   }
 
@@ -128,7 +129,7 @@ class PatchFinder {
       if (found)
         throw ImprintError(ImprintFailure::collision,
                            name_of(found->face) + " and " + name_of(w.face) +
-                               " lie over each other along the sweep, in the same layers.",
+                               " lie over each other along the sweep, in the same levels.",
                            {name_of(found->face), name_of(w.face)});
       found = &w;
     }
@@ -172,18 +173,18 @@ class PatchFinder {
   void find_cap(FaceId cap) {
     const bool is_source = scheme_.face_role[cap.index] == FaceRole::source;
     std::set<int> border, region;
-    std::optional<int> k;
+    std::optional<int> level;
     for (const Loop& loop : model_.loops(cap))
       for (const Coedge& c : loop) {
         if (!c.edge.is_valid() || chain_[c.edge.index].empty()) continue;
-        k = walls_.k[c.edge.index];
+        level = walls_.level[c.edge.index];
         for (const DirectedEdge& d : chain_[c.edge.index]) {
           border.insert(d.edge);
           const bool is_against = d.reversed != c.reversed;
           region.insert((is_source != is_against ? left_ : right_)[d.edge]);
         }
       }
-    if (!k)
+    if (!level)
       throw ImprintError(ImprintFailure::unreachable,
                          name_of(cap) + " has no boundary at which linking faces begin or end.",
                          {name_of(cap)});
@@ -198,7 +199,7 @@ class PatchFinder {
           if (region.insert(other).second) open.push_back(other);
         }
     }
-    for (const int f : region) claim(f, cap, level_of(*k), is_source);
+    for (const int f : region) claim(f, cap, level_of(*level), is_source);
   }
 
   struct Claim {
@@ -212,7 +213,7 @@ class PatchFinder {
       std::vector<std::string> names = {name_of(cap)};
       if (place.is_valid()) names.push_back(name_of(place));
       throw ImprintError(ImprintFailure::open_run,
-                         name_of(cap) + " overlaps another cap of its layer along the sweep.",
+                         name_of(cap) + " overlaps another cap of its level along the sweep.",
                          names);
     }
     place = cap;
@@ -249,12 +250,11 @@ class PatchFinder {
       for (const auto& loop : arrangement_.faces[face].loops)
         for (const DirectedEdge& d : loop)
           for (const Trace& t : overlay_.traces[d.edge])
-            if (t.k == levels_[level]) names.insert(name_of(t.edge));
+            if (t.level == levels_[level]) names.insert(name_of(t.edge));
     const bool is_low = std::string(wanted) == "target";
     throw ImprintError(ImprintFailure::open_run,
                        std::string("A column of the solid has no ") + wanted + " face at its " +
-                           (is_low ? "lower" : "upper") + " end (layer " +
-                           std::to_string(levels_[level]) + ").",
+                           (is_low ? "lower" : "upper") + " end.",
                        {names.begin(), names.end()});
   }
 
@@ -263,9 +263,9 @@ class PatchFinder {
     for (const auto& [level, claim] : cap_[face]) {
       const int k = levels_[level];
       const bool begins = std::any_of(runs.begin(), runs.end(),
-                                      [&](const Run& r) { return r.k_low == k; });
+                                      [&](const Run& r) { return r.low == k; });
       const bool ends = std::any_of(runs.begin(), runs.end(),
-                                    [&](const Run& r) { return r.k_high == k; });
+                                    [&](const Run& r) { return r.high == k; });
       const FaceId loose = claim.target.is_valid() && !begins  ? claim.target
                            : claim.source.is_valid() && !ends ? claim.source
                                                               : FaceId{};
@@ -278,13 +278,14 @@ class PatchFinder {
       }
       throw ImprintError(failure,
                          "Between " + name_of(loose) +
-                             " and the cap over it there is no layer of the solid.",
+                             " and the cap over it there is nothing of the solid.",
                          names);
     }
   }
 
   Imprint result() {
     Imprint out;
+    out.vertex_level = walls_.vertex_level;
     for (std::size_t v = 0; v < arrangement_.vertices.size(); ++v)
       out.vertices.push_back({arrangement_.vertices[v], std::move(overlay_.cad[v])});
     for (std::size_t f = 0; f < arrangement_.faces.size(); ++f) {

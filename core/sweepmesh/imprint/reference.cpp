@@ -106,7 +106,7 @@ bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& other
 }
 
 bool are_walls_upright(const Walls& walls, const Reference& reference) {
-  std::vector<const ReferenceCurve*> curve(walls.k.size(), nullptr);
+  std::vector<const ReferenceCurve*> curve(walls.level.size(), nullptr);
   for (const ReferenceCurve& c : reference.curves) curve[c.edge.index] = &c;
   for (std::size_t f = 0; f < walls.tops.size(); ++f)
     if (!lie_over(walls.bottoms[f], walls.tops[f], curve, reference.coincidence) ||
@@ -118,14 +118,14 @@ bool are_walls_upright(const Walls& walls, const Reference& reference) {
 }  // namespace
 
 std::optional<Point3> common_direction(const Model& model, const Scheme& scheme,
-                                       const std::vector<int>& k, double tolerance) {
+                                       const std::vector<int>& level, double tolerance) {
   std::vector<Point3> chords;
   Point3 sum = Point3::Zero();
   for (const EdgeId e : model.edges()) {
     if (scheme.edge_role[e.index] != EdgeRole::axial) continue;
     const VertexId a = model.start(e), b = model.end(e);
     const Point3 chord = model.point(b) - model.point(a);
-    chords.push_back(k[b.index] >= k[a.index] ? chord : Point3(-chord));
+    chords.push_back(level[b.index] >= level[a.index] ? chord : Point3(-chord));
     sum += chords.back();
   }
   if (sum.norm() <= tolerance) return std::nullopt;

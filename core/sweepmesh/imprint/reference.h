@@ -32,7 +32,7 @@ struct Reference {
 /// The direction in which all axial edges run from their lower to their upper end, if there is one
 /// to within `tolerance` at their ends. Empty without axial edges.
 std::optional<Point3> common_direction(const Model& model, const Scheme& scheme,
-                                       const std::vector<int>& k, double tolerance);
+                                       const std::vector<int>& level, double tolerance);
 
 /// R by projection along `direction` (seen against it, so that a source's normal points to the
 /// viewer). Empty where a linking face's lower and upper edges do not lie over each other.

@@ -11,10 +11,10 @@ bool divides(const Model& model, EdgeId e) {
   return uses.size() == 2 && uses[0].face != uses[1].face;
 }
 
-int layer_of(const Model& model, EdgeId e, const std::vector<int>& k) {
-  const int first = k[model.start(e).index], last = k[model.end(e).index];
+int level_of(const Model& model, EdgeId e, const std::vector<int>& level) {
+  const int first = level[model.start(e).index], last = level[model.end(e).index];
   if (first < 0 || first != last)
-    throw Error("imprint", "The ends of " + name_of(e) + " do not lie on one layer.", {name_of(e)});
+    throw Error("imprint", "The ends of " + name_of(e) + " do not lie on one level.", {name_of(e)});
   return first;
 }
 
@@ -41,10 +41,10 @@ void add_coedge(const Coedge& c, Direction d, Walls& walls) {
 
 }  // namespace
 
-Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int>& k) {
+Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int>& level) {
   Walls walls;
-  walls.vertex_k = k;
-  walls.k.assign(model.n_edges(), -1);
+  walls.vertex_level = level;
+  walls.level.assign(model.n_edges(), -1);
   walls.above.resize(model.n_edges());
   walls.below.resize(model.n_edges());
   walls.solid_left_above.assign(model.n_edges(), 0);
@@ -53,7 +53,7 @@ Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int
   walls.tops.resize(model.n_faces());
   for (const EdgeId e : model.edges()) {
     if (scheme.edge_role[e.index] == EdgeRole::axial || !divides(model, e)) continue;
-    walls.k[e.index] = layer_of(model, e, k);
+    walls.level[e.index] = level_of(model, e, level);
     walls.edges.push_back(e);
   }
   for (const FaceId f : model.faces()) {
@@ -63,7 +63,7 @@ Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int
       for (std::size_t c = 0; c < loops[l].size(); ++c) {
         const Coedge& coedge = loops[l][c];
         const Direction d = scheme.face[f.index].direction[l][c];
-        if (coedge.edge.is_valid() && !is_axial(d) && walls.k[coedge.edge.index] >= 0)
+        if (coedge.edge.is_valid() && !is_axial(d) && walls.level[coedge.edge.index] >= 0)
           add_coedge(coedge, d, walls);
       }
   }
