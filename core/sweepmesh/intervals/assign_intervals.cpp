@@ -54,14 +54,20 @@ Intervals to_intervals(const IntervalDemands& demands, const CountSolution& solu
 
 }  // namespace
 
+SolvedIntervals solve_intervals(const IntervalDemands& demands, const IntervalOptions& options,
+                                Context& context) {
+  context.check(stage);
+  const CountOptions how{.time_limit_seconds = options.time_limit_seconds};
+  CountSolution solution = solve_counts(demands.problem, how, context);
+  if (!solution.is_feasible()) report_conflict(demands.problem, solution.conflict);
+  Intervals intervals = to_intervals(demands, solution);
+  return {std::move(intervals), std::move(solution.values)};
+}
+
 Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                            Context& context) {
   context.check(stage);
-  const IntervalDemands demands = interval_demands(model, scheme, options);
-  const CountOptions how{.time_limit_seconds = options.time_limit_seconds};
-  const CountSolution solution = solve_counts(demands.problem, how, context);
-  if (!solution.is_feasible()) report_conflict(demands.problem, solution.conflict);
-  return to_intervals(demands, solution);
+  return solve_intervals(interval_demands(model, scheme, options), options, context).intervals;
 }
 
 }  // namespace sweepmesh

@@ -79,24 +79,30 @@ void take_boundary(const std::vector<CapNode>& nodes, CapMesh& cap) {
   }
 }
 
-/// The target's loops for the source's: seen from outside they run the other way.
-CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary) {
+/// The target's loops for the source's: seen from outside those of an opposite face run the other way.
+CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary, Facing facing) {
   CapLoops loops;
   auto first = boundary.begin();
   for (const int n : source.loop_sizes) {
-    loops.emplace_back(std::make_reverse_iterator(first + n), std::make_reverse_iterator(first));
+    if (facing == Facing::same)
+      loops.emplace_back(first, first + n);
+    else
+      loops.emplace_back(std::make_reverse_iterator(first + n), std::make_reverse_iterator(first));
     first += n;
   }
   return loops;
 }
 
-/// The mirrored chart points of the target's boundary in the order of the source's nodes.
-std::vector<Point2> boundary_in_chart(const Chart& chart) {
+/// The chart points of the target's boundary in the order of the source's nodes, mirrored for an opposite face.
+std::vector<Point2> boundary_in_chart(const Chart& chart, Facing facing) {
   std::vector<std::vector<Point2>> by_loop(chart.order().size());
   for (std::size_t k = 0; k < by_loop.size(); ++k) {
     const auto& loop = chart.loops()[k];
     auto& out = by_loop[chart.order()[k]];
-    std::transform(loop.rbegin(), loop.rend(), std::back_inserter(out), mirrored);
+    if (facing == Facing::same)
+      out = loop;
+    else
+      std::transform(loop.rbegin(), loop.rend(), std::back_inserter(out), mirrored);
   }
   return flattened(by_loop);
 }
@@ -152,25 +158,28 @@ CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, doub
 }
 
 CapMesh map_cap(const Model& model, const CapMesh& source, FaceId target,
-                const std::vector<CapNode>& boundary, double size, const Context& context) {
-  return naming({name_of(source.face), name_of(target)}, [&] {
+                const std::vector<CapNode>& boundary, double size, const Context& context,
+                Facing facing) {
+  std::vector<std::string> names = {name_of(target)};
+  if (source.face.is_valid()) names.insert(names.begin(), name_of(source.face));
+  return naming(names, [&] {
     if (boundary.size() != source.boundary.size())
       throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
-    const CapLoops loops = loops_like(source, boundary);
+    const CapLoops loops = loops_like(source, boundary, facing);
     const auto chart =
         std::make_shared<const Chart>(model, target, loops, facet_share * size, context, 0);
     check_outer_loop(*chart);
     CapMesh cap;
     cap.face = target;
-    cap.is_mirrored = true;
-    cap.metric = shared_metric(chart, true);
+    cap.is_mirrored = facing == Facing::opposite;
+    cap.metric = shared_metric(chart, cap.is_mirrored);
     cap.loop_sizes = source.loop_sizes;
     MapOptions options;
     options.source_metric = source.metric;
     options.target_metric = cap.metric;
     cap.plane = source.plane;
     cap.plane.points =
-        map_planar(source.plane, boundary_in_chart(*chart), options, context).points;
+        map_planar(source.plane, boundary_in_chart(*chart, facing), options, context).points;
     take_boundary(boundary, cap);
     place_inside(model, target, *chart, cap);
     return cap;
