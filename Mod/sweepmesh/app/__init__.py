@@ -11,7 +11,7 @@
 docs/macros.md shows more.
 """
 from sweepmesh.app.femmesh import to_femmesh
-from sweepmesh.app.make import make_sweep_mesh
+from sweepmesh.app.make import make_sweep_mesh, update_sweep_mesh
 from sweepmesh.app.stages import Plan, assess, mesh, plan
 
-__all__ = ["Plan", "assess", "make_sweep_mesh", "mesh", "plan", "to_femmesh"]
+__all__ = ["Plan", "assess", "make_sweep_mesh", "mesh", "plan", "to_femmesh", "update_sweep_mesh"]

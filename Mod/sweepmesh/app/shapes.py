@@ -28,6 +28,12 @@ def has_solid(source):
     return isinstance(shape, Part.Shape) and not shape.isNull() and len(shape.Solids) > 0
 
 
+def proposed_size(source, n_elements=3000):
+    """Return an edge length, rounded to two digits, that makes about `n_elements` elements of the shape."""
+    volume = abs(shape_of(source).Volume)
+    return float(f"{(volume / n_elements) ** (1 / 3):.2g}")
+
+
 def face_number(source, face):
     """Return the number of a face of `source`: 7 for Face7.
 

@@ -1,8 +1,11 @@
 """The document object: settings, links, recompute, failure, save and reopen."""
+import types
+
 import FreeCAD
 import pytest
 
 from sweepmesh import app, engine
+from sweepmesh.app.kept_meshes import KeptMeshes
 from sweepmesh.app.objects.sweep import TABLE, Sweep
 
 
@@ -138,6 +141,38 @@ def test_undo_takes_the_object_away_and_redo_brings_it_back(box, document):
     assert document.getObject("SweepMesh") is None
     document.redo()
     assert document.SweepMesh.FemMesh.HexaCount == count
+
+
+def test_undo_of_a_setting_brings_the_old_mesh_back(sweep, document):
+    document.UndoMode = 1
+    count = sweep.FemMesh.HexaCount
+    document.openTransaction("edit")
+    app.update_sweep_mesh(sweep, layers=7)
+    document.commitTransaction()
+    changed = sweep.FemMesh.HexaCount
+    document.undo()
+    assert sweep.Layers == 0 and sweep.FemMesh.HexaCount == sweep.Hexahedra == count != changed
+    document.redo()
+    assert sweep.Layers == 7 and sweep.FemMesh.HexaCount == sweep.Hexahedra == changed
+
+
+def test_undo_without_a_kept_mesh_is_put_right_by_a_recompute(sweep, document, monkeypatch):
+    monkeypatch.setattr("sweepmesh.app.kept_meshes.KeptMeshes.get", lambda *_: None)
+    document.UndoMode = 1
+    count = sweep.FemMesh.HexaCount
+    document.openTransaction("edit")
+    app.update_sweep_mesh(sweep, layers=7)
+    document.commitTransaction()
+    document.undo()
+    document.recompute()
+    assert sweep.FemMesh.HexaCount == sweep.Hexahedra == count
+
+
+def test_kept_meshes_are_let_go_oldest_first():
+    kept = KeptMeshes(max_nodes=10)
+    for key, n_nodes in (("a", 4), ("b", 5), ("c", 4)):
+        kept.keep(key, types.SimpleNamespace(NodeCount=n_nodes))
+    assert kept.get("a") is None and kept.get("b").NodeCount == 5 and kept.get("c").NodeCount == 4
 
 
 def test_every_property_has_a_text_and_a_group(sweep):

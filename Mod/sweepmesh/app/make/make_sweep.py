@@ -1,7 +1,7 @@
-"""Make a sweep mesh in a document."""
+"""Make a sweep mesh in a document, and change it."""
 import FreeCAD
 
-from sweepmesh.app.objects.sweep import ORDERS, Sweep
+from sweepmesh.app.objects.sweep import ORDERS, Sweep, options_of
 from sweepmesh.app.stages import options_for
 
 
@@ -27,6 +27,16 @@ def make_sweep_mesh(shape_object, options=None, analysis=None, name="SweepMesh",
         ViewSweep(obj.ViewObject)
     obj.Document.recompute([obj])
     return obj
+
+
+def update_sweep_mesh(obj, **settings):
+    """Change settings of a mesh object (those given, see `mesh`) and compute it."""
+    options = options_of(obj)
+    for name, value in vars(options_for(obj.Shape, **settings)).items():
+        if name in settings:
+            setattr(options, name, value)
+    set_options(obj, obj.Shape, options)
+    obj.Document.recompute([obj])
 
 
 def set_options(obj, shape_object, options):

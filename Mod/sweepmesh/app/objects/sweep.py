@@ -2,6 +2,7 @@
 from sweepmesh import engine
 from sweepmesh.engine.errors import input_error
 from sweepmesh.app.femmesh import to_femmesh
+from sweepmesh.app.kept_meshes import KeptMeshes
 from sweepmesh.app.objects.base import Property, Proxy
 from sweepmesh.app.progress import ProgressBar
 from sweepmesh.app.remembered import fingerprint, take
@@ -49,21 +50,48 @@ class Sweep(Proxy):
     Type = "SweepMesh::Sweep"
     table = TABLE
 
+    def __init__(self, obj):
+        self.loads(None)
+        super().__init__(obj)
+
+    def loads(self, state):
+        self._kept = KeptMeshes()
+        self._shown = ""  # the fingerprint of what FemMesh holds
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        self._shown = obj.Fingerprint if obj.Nodes == obj.FemMesh.NodeCount else ""
+
     def onChanged(self, obj, name):
         if name == "Shape" and "Part" in obj.PropertiesList and obj.Part != obj.Shape:
             obj.Part = obj.Shape
+        if name == "Fingerprint" and obj.Fingerprint != self._shown:
+            self._follow_undo(obj)
 
     def execute(self, obj):
         try:
             brep, options = brep_of(shape_object(obj)), options_of(obj)
             key = fingerprint(brep, options)
-            if key != obj.Fingerprint or not obj.FemMesh.NodeCount:
-                store_result(obj, take(brep, options) or _run(obj, brep, options))
-                obj.Fingerprint = key
+            if key != self._shown:
+                self._store(obj, key, take(brep, options) or _run(obj, brep, options))
             obj.Message = ""
         except Exception as error:
             obj.Message = str(error)
             raise
+
+    def _store(self, obj, key, result):
+        store_verdict(obj, result.assessment)
+        fem_mesh = to_femmesh(result)
+        store_report(obj, result)
+        obj.FemMesh = fem_mesh
+        self._kept.keep(key, fem_mesh)
+        self._shown = obj.Fingerprint = key
+
+    def _follow_undo(self, obj):
+        fem_mesh = self._kept.get(obj.Fingerprint)
+        if fem_mesh is not None:
+            obj.FemMesh = fem_mesh
+            self._shown = obj.Fingerprint
 
 
 def shape_object(obj):
@@ -96,15 +124,17 @@ def face_numbers(obj, name):
     return [_number(face) for face in link[1] if face]
 
 
-def store_result(obj, result):
-    """Put a result into the properties; an unsweepable solid keeps the old mesh and raises an InputError."""
-    assessment = result.assessment
+def store_verdict(obj, assessment):
+    """Put the verdict into the properties; an InputError with the reasons where there is no way to sweep."""
     obj.Verdict = assessment.verdict
     obj.Reasons = [reason.text for reason in assessment.reasons]
     obj.Roles = dict(assessment.roles)
     if assessment.verdict != "sweepable":
         raise input_error(" ".join(["The solid cannot be swept."] + obj.Reasons))
-    obj.FemMesh = to_femmesh(result)
+
+
+def store_report(obj, result):
+    """Put counts, quality and warnings of a result into the properties."""
     obj.Nodes, obj.Hexahedra, obj.Prisms = len(result.points), len(result.hexahedra), len(result.prisms)
     obj.UsedSize = result.size
     _store_quality(obj, result.quality)
