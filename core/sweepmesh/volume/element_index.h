@@ -27,7 +27,7 @@ struct CellsOfColumns {
 };
 
 /// An element: a cell and the lower level of its layer.
-struct Element {
+struct SweptElement {
   int cell = -1, k = 0;
 };
 
@@ -39,8 +39,8 @@ class ElementIndex {
       first_[c + 1] = first_[c] + x_.cell_k_high[c] - x_.cell_k_low[c];
   }
 
-  long number_of(Element e) const { return first_[e.cell] + e.k - x_.cell_k_low[e.cell]; }
-  Element element(long number) const {
+  long number_of(SweptElement e) const { return first_[e.cell] + e.k - x_.cell_k_low[e.cell]; }
+  SweptElement element(long number) const {
     const auto it = std::upper_bound(first_.begin(), first_.end(), number) - 1;
     const int cell = static_cast<int>(it - first_.begin());
     return {cell, x_.cell_k_low[cell] + static_cast<int>(number - *it)};
@@ -52,7 +52,7 @@ class ElementIndex {
 
   /// Calls f(node) for the nodes of an element: the low ring, then the high one.
   template <class F>
-  void for_nodes(Element e, F&& f) const {
+  void for_nodes(SweptElement e, F&& f) const {
     for (const int k : {e.k, e.k + 1})
       for (int i = x_.cell_offset[e.cell]; i < x_.cell_offset[e.cell + 1]; ++i)
         f(x_.node(x_.cell_columns[i], k));

@@ -13,7 +13,7 @@ namespace {
 /// Patches with more free nodes are scaled by the diagonal alone: the factor would not fit in memory.
 constexpr int largest_factored = 20000;
 
-Eigen::Matrix3d jacobian(const Corner& corner, const Points& x) {
+Eigen::Matrix3d jacobian(const CornerTet& corner, const Points& x) {
   Eigen::Matrix3d edges;
   for (int i = 0; i < 3; ++i)
     edges.col(i) = (x.row(corner.node[i + 1]) - x.row(corner.node[0])).transpose();
@@ -28,7 +28,7 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& j) {
   return c;
 }
 
-void add_to_nodes(const Corner& corner, int n_free, const Eigen::Matrix3d& by_jacobian,
+void add_to_nodes(const CornerTet& corner, int n_free, const Eigen::Matrix3d& by_jacobian,
                   Points& gradient) {
   const Eigen::Matrix3d by_edges = by_jacobian * corner.ideal.transpose();
   for (int i = 0; i < 3; ++i) {
@@ -41,9 +41,9 @@ void add_to_nodes(const Corner& corner, int n_free, const Eigen::Matrix3d& by_ja
 /// Solves with the matrix of sum tr(J^T J) / 3 over the free nodes, the same for x, y and z.
 class FirstMatrix {
  public:
-  explicit FirstMatrix(const FoldoverProblem& problem) {
+  explicit FirstMatrix(const UnfoldProblem& problem) {
     std::vector<Eigen::Triplet<double>> entries;
-    for (const Corner& corner : problem.corners) {
+    for (const CornerTet& corner : problem.corners) {
       Eigen::Matrix<double, 4, 3> rows;  // J = sum over nodes of position times row
       rows.bottomRows<3>() = corner.ideal;
       rows.row(0) = -corner.ideal.colwise().sum();
@@ -74,7 +74,7 @@ class FirstMatrix {
 };
 
 /// Takes from the rows of sliding nodes what leaves their planes.
-void keep_in_planes(const FoldoverProblem& problem, Points& rows) {
+void keep_in_planes(const UnfoldProblem& problem, Points& rows) {
   for (const auto& [node, normal] : problem.sliding) {
     const Eigen::RowVector3d n = normal.transpose();
     rows.row(node) -= rows.row(node).dot(n) * n;
@@ -120,8 +120,8 @@ class Memory {
 };
 
 /// One round: up to max_steps steps with one eps. Returns the energy.
-double descend(const FoldoverProblem& problem, const FirstMatrix& first, double eps,
-               const FoldoverOptions& options, Points& x) {
+double descend(const UnfoldProblem& problem, const FirstMatrix& first, double eps,
+               const UnfoldOptions& options, Points& x) {
   constexpr double sufficient = 1e-4;  // Armijo's constant
   constexpr int max_halvings = 30;
   Points gradient(problem.n_free, 3), next_gradient(problem.n_free, 3);
@@ -153,11 +153,11 @@ double descend(const FoldoverProblem& problem, const FirstMatrix& first, double 
 
 }  // namespace
 
-double foldover_energy(const FoldoverProblem& problem, const Points& x, double eps,
+double foldover_energy(const UnfoldProblem& problem, const Points& x, double eps,
                        double volume_weight, Points* gradient) {
   if (gradient) gradient->setZero(problem.n_free, 3);
   double energy = 0.0;
-  for (const Corner& corner : problem.corners) {
+  for (const CornerTet& corner : problem.corners) {
     const Eigen::Matrix3d j = jacobian(corner, x), cofactor = cofactors(j);
     const double d = j.col(0).dot(cofactor.col(0)), trace = j.squaredNorm();
     const double root = std::sqrt(eps * eps + d * d);
@@ -175,14 +175,14 @@ double foldover_energy(const FoldoverProblem& problem, const Points& x, double e
   return energy;
 }
 
-double least_determinant(const FoldoverProblem& problem, const Points& x) {
+double least_determinant(const UnfoldProblem& problem, const Points& x) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Corner& corner : problem.corners)
+  for (const CornerTet& corner : problem.corners)
     least = std::min(least, jacobian(corner, x).determinant());
   return least;
 }
 
-double minimise_foldover(const FoldoverProblem& problem, Points& x, const FoldoverOptions& options) {
+double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options) {
   constexpr double smallest_eps = 1e-6;
   const FirstMatrix first(problem);
   double least = least_determinant(problem, x), last = 0.0;

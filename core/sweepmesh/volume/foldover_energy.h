@@ -20,19 +20,19 @@
 namespace sweepmesh {
 
 /// Nodes 0 .. n_free - 1 of a patch are unknown, the others are held.
-struct Corner {
+struct CornerTet {
   std::array<int, 4> node;   ///< o, a, b, c
   Eigen::Matrix3d ideal;     ///< W^-1
 };
 
-struct FoldoverProblem {
+struct UnfoldProblem {
   int n_free = 0;
-  std::vector<Corner> corners;
+  std::vector<CornerTet> corners;
   /// Free nodes that stay in a plane: the node and the plane's unit normal.
   std::vector<std::pair<int, Point3>> sliding;
 };
 
-struct FoldoverOptions {
+struct UnfoldOptions {
   double volume_weight = 1.0 / 16.0;  ///< of the volume term, > 0
   int max_rounds = 40;                ///< times that eps is set anew, >= 1
   int max_steps = 60;                 ///< quasi-Newton steps for one eps, >= 1
@@ -40,15 +40,15 @@ struct FoldoverOptions {
 };
 
 /// Energy at `x`, and (if asked for) its gradient with respect to the free nodes.
-double foldover_energy(const FoldoverProblem& problem, const Points& x, double eps,
+double foldover_energy(const UnfoldProblem& problem, const Points& x, double eps,
                        double volume_weight, Points* gradient);
 
 /// Least det J over the corners.
-double least_determinant(const FoldoverProblem& problem, const Points& x);
+double least_determinant(const UnfoldProblem& problem, const Points& x);
 
 /// Moves the free rows of `x` to a (local) minimum: L-BFGS whose first matrix is the factored quadratic
 /// form sum tr(J^T J), so that the number of steps hardly grows with the patch. Deterministic. Returns
 /// the least det J that was reached. Cost of a step: linear in the corners, plus one back substitution.
-double minimise_foldover(const FoldoverProblem& problem, Points& x, const FoldoverOptions& options);
+double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options);
 
 }  // namespace sweepmesh

@@ -100,6 +100,8 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
     if (options.max_attempts > 0) {
       untangle_inverted(x, fixed, metric, options, inverted, points, team, context);
       check = check_elements(x, points, options.improve_up_to, team);
+    } else {
+      report.inverted = inverted;
     }
   }
   if (check.min_scaled_jacobian > 0.0 && !check.bad.empty()) {

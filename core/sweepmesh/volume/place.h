@@ -35,6 +35,8 @@ struct PlacementReport {
   double largest_residual = 0.0;  ///< of the boundary against the affine motion, a length
   bool was_solved = false;        ///< false: the affine motion was enough
   int n_iterations = 0;
+  /// Elements that are not positive; none unless untangling is switched off.
+  std::vector<long> inverted;
   long n_inverted_before = 0;      ///< elements that had to be untangled
   long n_poor_before = 0;          ///< elements that were to be improved
   double min_scaled_jacobian = 1.0;

@@ -23,7 +23,7 @@ long position_in(const Numbers& sorted, long value) {
   return std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin();
 }
 
-double scaled_jacobian_of(const Extrusion& x, const Points& points, Element e) {
+double scaled_jacobian_of(const Extrusion& x, const Points& points, SweptElement e) {
   const int n = x.cell_size(e.cell);
   std::vector<Point3> low(n), high(n);
   for (int i = 0; i < n; ++i) {
@@ -110,7 +110,7 @@ class IdealElement {
 
   /// Calls f(o, a, b, c, W) for each corner; W is the matrix of the ideal edges.
   template <class F>
-  void for_corners(Element e, F&& f) const {
+  void for_corners(SweptElement e, F&& f) const {
     const int n = x_.cell_size(e.cell);
     const double angle = std::numbers::pi * (1.0 - 2.0 / n), height = metric_.height_of(e.k);
     const int* columns = x_.cell_columns.data() + x_.cell_offset[e.cell];
@@ -143,7 +143,7 @@ class IdealElement {
 
 /// The energy's problem on one patch, with its nodes numbered anew: free ones first.
 struct PatchProblem {
-  FoldoverProblem problem;
+  UnfoldProblem problem;
   Points x;
 
   PatchProblem(const Patch& patch, const ElementIndex& index, const IdealElement& ideal,
@@ -180,7 +180,7 @@ struct PatchProblem {
     }
     // Ideal elements fill the patch as it is.
     if (volume > 0.0)
-      for (Corner& corner : problem.corners) corner.ideal *= std::cbrt(ideal_volume / volume);
+      for (CornerTet& corner : problem.corners) corner.ideal *= std::cbrt(ideal_volume / volume);
   }
 };
 
@@ -261,7 +261,7 @@ std::vector<long> hopeless_elements(const Extrusion& extrusion, const std::vecto
   const ElementIndex index(extrusion);
   std::vector<long> hopeless;
   for (const long number : elements) {
-    const Element e = index.element(number);
+    const SweptElement e = index.element(number);
     const int n = extrusion.cell_size(e.cell);
     const int* columns = extrusion.cell_columns.data() + extrusion.cell_offset[e.cell];
     bool is_hopeless = false;

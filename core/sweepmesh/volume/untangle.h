@@ -30,7 +30,7 @@ struct UntangleOptions {
   int first_rings = 2;     ///< rings of elements around them that may move, >= 1
   int max_attempts = 5;    ///< each with twice the rings of the one before, >= 1
   std::vector<SlidingNode> sliding;  ///< ascending by node
-  FoldoverOptions energy;
+  UnfoldOptions energy;
 };
 
 struct UntangleReport {

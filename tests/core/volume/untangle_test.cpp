@@ -18,12 +18,12 @@ using namespace testing;
 TEST(FoldoverEnergy, GradientIsThatOfDifferences) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
-  FoldoverProblem problem;
+  UnfoldProblem problem;
   problem.n_free = 6;
   Points x(8, 3);
   for (long i = 0; i < x.size(); ++i) x.data()[i] = normal(random);
   for (int c = 0; c < 12; ++c) {
-    Corner corner;
+    CornerTet corner;
     std::array<int, 8> order = {0, 1, 2, 3, 4, 5, 6, 7};
     std::shuffle(order.begin(), order.end(), random);
     std::copy(order.begin(), order.begin() + 4, corner.node.begin());
@@ -47,7 +47,7 @@ TEST(FoldoverEnergy, GradientIsThatOfDifferences) {
 }
 
 TEST(FoldoverEnergy, IdealElementHasTheLeastEnergy) {
-  FoldoverProblem problem;
+  UnfoldProblem problem;
   problem.n_free = 0;
   problem.corners.push_back({{0, 1, 2, 3}, Eigen::Matrix3d::Identity()});
   Points x(4, 3);
