@@ -291,6 +291,23 @@ class Editor {
   const std::vector<std::vector<double>>& angles_;
 };
 
+/// New nodes a little inside of a loop's, for the cells there to use, and the quads between.
+void add_ring(int first, int count, std::vector<int>& number, PlanarMesh& mesh) {
+  constexpr double share = 0.3;  // of the boundary edges
+  const int ring = mesh.n_nodes();
+  for (int i = 0; i < count; ++i) {
+    const Point2& p = mesh.points[first + i];
+    const Point2 along = mesh.points[first + (i + 1) % count] - mesh.points[first + (i + count - 1) % count];
+    number[first + i] = ring + i;
+    mesh.points.push_back(p + 0.5 * share * Point2(-along.y(), along.x()));
+  }
+  for (int i = 0; i < count; ++i) {
+    const int next = (i + 1) % count;
+    const std::array<int, 4> quad = {first + i, first + next, ring + next, ring + i};
+    mesh.add_cell(quad);
+  }
+}
+
 }  // namespace
 
 std::optional<PlanarMesh> with_triangles_paired(const PlanarMesh& mesh) {
@@ -309,6 +326,34 @@ PlanarMesh with_regular_valences(const PlanarMesh& mesh,
   Editor editor(mesh, angles);
   editor.run();
   return editor.result();
+}
+
+PlanarMesh with_rings_around_holes(const PlanarMesh& mesh, const PlanarLoops& loops) {
+  std::vector<int> loop_of;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    loop_of.insert(loop_of.end(), loops[l].size(), static_cast<int>(l));
+  std::vector<char> is_tied(loops.size(), 0);
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    if (std::any_of(cell.begin(), cell.end(), [&](int n) { return n >= mesh.n_boundary; })) continue;
+    const int last = std::max({loop_of[cell[0]], loop_of[cell[1]], loop_of[cell[2]], loop_of[cell.back()]});
+    const int first = std::min({loop_of[cell[0]], loop_of[cell[1]], loop_of[cell[2]], loop_of[cell.back()]});
+    if (first != last) is_tied[last] = 1;
+  }
+  PlanarMesh out;
+  out.points = mesh.points;
+  out.n_boundary = mesh.n_boundary;
+  std::vector<int> number(mesh.n_nodes());
+  for (int i = 0; i < mesh.n_nodes(); ++i) number[i] = i;
+  int first = 0;
+  for (std::size_t l = 0; l < loops.size(); first += static_cast<int>(loops[l++].size()))
+    if (is_tied[l]) add_ring(first, static_cast<int>(loops[l].size()), number, out);
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    Cell cell;
+    for (const int node : mesh.cell(c)) cell.push_back(number[node]);
+    out.add_cell(cell);
+  }
+  return out;
 }
 
 PlanarMesh refined_to_quads(const PlanarMesh& mesh, const PlanarLoops& boundary) {

@@ -28,6 +28,10 @@ std::optional<PlanarMesh> with_triangles_paired(const PlanarMesh& mesh);
 PlanarMesh with_regular_valences(const PlanarMesh& mesh,
                                  const std::vector<std::vector<double>>& angles);
 
+/// A ring of quads put around every hole that shares a cell with another loop and has no inside node there
+/// (so a hole may move on its own). `loops` are the mesh's boundary. Cells may come out inverted.
+PlanarMesh with_rings_around_holes(const PlanarMesh& mesh, const PlanarLoops& loops);
+
 /// Every triangle cut into three quads, every quad into four, with new nodes on the middle of inside edges
 /// and of cells. `boundary` are the nodes of the finer boundary: those of the mesh are every second one.
 PlanarMesh refined_to_quads(const PlanarMesh& mesh, const PlanarLoops& boundary);

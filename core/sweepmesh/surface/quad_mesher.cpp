@@ -12,6 +12,7 @@
 #include "sweepmesh/surface/mean_value_2d.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_templates.h"
+#include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
 namespace {
@@ -243,6 +244,8 @@ PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& option
   const auto best = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
     return score(a, options.metric) < score(b, options.metric);
   });
+  constexpr double worth_raising = 0.7;
+  best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);
   std::vector<long> inverted;
   for (int c = 0; c < best->n_cells(); ++c)
     if (scaled_jacobian(best->points, best->cell(c), options.metric) <= 0.0) inverted.push_back(c);
