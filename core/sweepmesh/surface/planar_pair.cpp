@@ -87,7 +87,7 @@ class PairMesher {
     }
     // A hole that is tied to another loop by single cells cannot move: give it a ring of its own.
     for (const PlanarMesh& mesh : direct)
-      if (!is_best_at_least(poor)) offer([&] { return carried_on(with_rings(mesh)); });
+      if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
     if (!best_) throw *failure_;
     return std::move(*best_);
   }
@@ -112,9 +112,9 @@ class PairMesher {
 
   bool is_best_at_least(double value) const { return best_ && worse_end(*best_) >= value; }
 
-  PlanarMesh with_rings(const PlanarMesh& mesh) const {
-    const PlanarMesh ringed = smoothed(with_rings_around_holes(mesh, first_), options_.metric, context_);
-    return smoothed(with_regular_valences(ringed, angles_), options_.metric, context_);
+  PlanarMesh ringed(const PlanarMesh& mesh) const {
+    const PlanarMesh more = smoothed(with_rings(mesh, first_, angles_), options_.metric, context_);
+    return smoothed(with_regular_valences(more, angles_), options_.metric, context_);
   }
 
   PlanarPair carried_on(PlanarMesh mesh) const {

@@ -291,6 +291,33 @@ class Editor {
   const std::vector<std::vector<double>>& angles_;
 };
 
+/// Of a cell without inside nodes and of two loops or more, the loop that comes last.
+void mark_tied_holes(const PlanarMesh& mesh, const std::vector<int>& loop_of, std::vector<char>& marks) {
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    int first = static_cast<int>(marks.size()), last = -1;
+    bool has_inside_node = false;
+    for (const int node : mesh.cell(c)) {
+      if (node >= mesh.n_boundary) {
+        has_inside_node = true;
+        continue;
+      }
+      first = std::min(first, loop_of[node]);
+      last = std::max(last, loop_of[node]);
+    }
+    if (!has_inside_node && first != last) marks[last] = 1;
+  }
+}
+
+void mark_flat_corners(const PlanarMesh& mesh, const std::vector<int>& loop_of,
+                       const std::vector<std::vector<double>>& angles, std::vector<char>& marks) {
+  constexpr double flat = 150.0 / 180.0 * std::numbers::pi;
+  std::vector<int> count(mesh.n_nodes(), 0);
+  for (const int node : mesh.cell_nodes) ++count[node];
+  for (int i = 0; i < mesh.n_boundary; ++i)
+    for (const auto& shape : angles)
+      if (shape[i] > flat * count[i]) marks[loop_of[i]] = 1;
+}
+
 /// New nodes a little inside of a loop's, for the cells there to use, and the quads between.
 void add_ring(int first, int count, std::vector<int>& number, PlanarMesh& mesh) {
   constexpr double share = 0.3;  // of the boundary edges
@@ -328,18 +355,14 @@ PlanarMesh with_regular_valences(const PlanarMesh& mesh,
   return editor.result();
 }
 
-PlanarMesh with_rings_around_holes(const PlanarMesh& mesh, const PlanarLoops& loops) {
+PlanarMesh with_rings(const PlanarMesh& mesh, const PlanarLoops& loops,
+                      const std::vector<std::vector<double>>& angles) {
   std::vector<int> loop_of;
   for (std::size_t l = 0; l < loops.size(); ++l)
     loop_of.insert(loop_of.end(), loops[l].size(), static_cast<int>(l));
-  std::vector<char> is_tied(loops.size(), 0);
-  for (int c = 0; c < mesh.n_cells(); ++c) {
-    const auto cell = mesh.cell(c);
-    if (std::any_of(cell.begin(), cell.end(), [&](int n) { return n >= mesh.n_boundary; })) continue;
-    const int last = std::max({loop_of[cell[0]], loop_of[cell[1]], loop_of[cell[2]], loop_of[cell.back()]});
-    const int first = std::min({loop_of[cell[0]], loop_of[cell[1]], loop_of[cell[2]], loop_of[cell.back()]});
-    if (first != last) is_tied[last] = 1;
-  }
+  std::vector<char> is_ringed(loops.size(), 0);
+  mark_tied_holes(mesh, loop_of, is_ringed);
+  mark_flat_corners(mesh, loop_of, angles, is_ringed);
   PlanarMesh out;
   out.points = mesh.points;
   out.n_boundary = mesh.n_boundary;
@@ -347,7 +370,7 @@ PlanarMesh with_rings_around_holes(const PlanarMesh& mesh, const PlanarLoops& lo
   for (int i = 0; i < mesh.n_nodes(); ++i) number[i] = i;
   int first = 0;
   for (std::size_t l = 0; l < loops.size(); first += static_cast<int>(loops[l++].size()))
-    if (is_tied[l]) add_ring(first, static_cast<int>(loops[l].size()), number, out);
+    if (is_ringed[l]) add_ring(first, static_cast<int>(loops[l].size()), number, out);
   for (int c = 0; c < mesh.n_cells(); ++c) {
     Cell cell;
     for (const int node : mesh.cell(c)) cell.push_back(number[node]);

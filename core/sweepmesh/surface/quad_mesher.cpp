@@ -132,7 +132,7 @@ double worst(const std::vector<PlanarMesh>& meshes, const Metric& metric) {
 }
 
 std::vector<PlanarMesh> quad_candidates(const Task& task) {
-  constexpr double poor = 0.2;
+  constexpr double poor = 0.3;
   std::vector<PlanarMesh> out;
   std::optional<SolverError> failure;
   for (const PlanarMesh& pattern : structured_candidates(task.loops, task.options.size))
@@ -140,7 +140,11 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   if (worst(out, task.options.metric) >= good_enough) return out;
   for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms})
     try_to_add([&] { return unstructured(algorithm, task); }, out, failure);
-  if (worst(out, task.options.metric) < poor) try_to_add([&] { return by_halving(task); }, out, failure);
+  if (worst(out, task.options.metric) < poor) {
+    try_to_add([&] { return by_halving(task); }, out, failure);
+    for (std::size_t i = 0, n = out.size(); i < n; ++i)
+      out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
+  }
   if (!out.empty()) return out;
   if (failure) throw *failure;
   throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");
