@@ -29,8 +29,4 @@ bool has_both_ends(const Network& network, const Choices& choices);
 /// (Thesis 7.1.1, the go-through operation, as one equation.) `choices` are decided.
 bool is_euler_balanced(const Network& network, const Choices& choices);
 
-/// Whether closed shells that share no edge agree on the way up: the mean axial directions of each two shells that have axial
-/// edges differ by less than 60 degrees. Nothing but geometry relates a void to the outside. `choices` are decided.
-bool do_shells_agree(const Network& network, const Choices& choices);
-
 }  // namespace sweepmesh

@@ -67,7 +67,8 @@ class Search {
         if ((start.role[f] & kSourceStates) && may_link != is_cap_only) seeds.push_back(f);
       }
     for (int seed : seeds) {
-      if (is_exhausted() || !(start.role[seed] & kSourceStates)) return;
+      if (is_exhausted()) return;
+      if (!(start.role[seed] & kSourceStates)) continue;
       const bool is_last = !(start.role[seed] & kLinkingStates);
       try_role(start, seed, kSourceStates);
       if (is_last) return;
@@ -105,7 +106,7 @@ class Search {
   void branch_roles(const Choices& choices) {
     if (is_exhausted()) return;
     if (!level_groups(n_, choices)) {
-      ++result_.n_without_levels;
+      ++result_.rejections.n_without_levels;
       return;
     }
     const int face = clearest_face(choices);
@@ -156,7 +157,7 @@ class Search {
   void branch_states(const Choices& choices) {
     if (is_exhausted() || choices.bound > states_limit_) return;
     if (!level_groups(n_, choices)) {
-      ++result_.n_without_levels;
+      ++result_.rejections.n_without_levels;
       return;
     }
     const int coedge = clearest_coedge(choices);
@@ -174,16 +175,22 @@ class Search {
   }
 
   void take(const Choices& choices) {
-    if (!has_both_ends(n_, choices)) {
-      ++result_.n_without_ends;
-    } else if (!is_euler_balanced(n_, choices)) {
-      ++result_.n_unbalanced;
-    } else if (!do_shells_agree(n_, choices)) {
-      ++result_.n_voids_askew;
-    } else {
-      best_states_ = Division{choices, choices.bound};
-      states_limit_ = choices.bound - kTie;
-    }
+    if (!is_accepted(choices)) return;
+    best_states_ = Division{choices, choices.bound};
+    states_limit_ = choices.bound - kTie;
+  }
+
+  /// The conditions that single faces cannot tell.
+  bool is_accepted(const Choices& choices) {
+    Rejections& why = result_.rejections;
+    if (!has_both_ends(n_, choices)) return ++why.n_without_ends, false;
+    if (!is_euler_balanced(n_, choices)) return ++why.n_unbalanced, false;
+    if (!do_shells_agree(n_, choices)) return ++why.n_voids_askew, false;
+    const auto walls = opposed_walls(n_, choices);
+    if (!walls) return true;
+    ++why.n_walls_opposed;
+    if (!why.walls) why.walls = walls;
+    return false;
   }
 
   const Network& n_;

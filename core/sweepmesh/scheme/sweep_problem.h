@@ -47,6 +47,8 @@ struct ProblemEdge {
   bool is_seam = false;
   bool is_closed = false;  ///< starts and ends at one vertex
   Point3 chord = Point3::Zero();  ///< from the start to the end of coedge[0]
+  /// Unit tangents along coedge[0], at the middles of equal parts of the curve's parameter range.
+  std::array<Point3, 24> tangents;
 };
 
 /// Faces, coedges and edges of one solid in the order of the model's ids; a pure value.

@@ -117,15 +117,12 @@ PlanarMesh with_cells(const PlanarMesh& mesh, const std::vector<Cell>& cells) {
 /// Quads under change: which quads use a node, and what each node wishes.
 class Editor {
  public:
-  explicit Editor(const PlanarMesh& mesh) : points_(mesh.points), n_boundary_(mesh.n_boundary) {
+  Editor(const PlanarMesh& mesh, const std::vector<std::vector<double>>& angles)
+      : points_(mesh.points), n_boundary_(mesh.n_boundary), angles_(angles) {
     at_node_.resize(mesh.n_nodes());
-    wish_.assign(mesh.n_nodes(), 4.0);
-    for (int i = 0; i < n_boundary_; ++i) wish_[i] = 0.0;
     for (int c = 0; c < mesh.n_cells(); ++c) {
       std::array<int, 4> q;
       std::copy_n(mesh.cell(c).begin(), 4, q.begin());
-      for (int i = 0; i < 4; ++i)
-        if (q[i] < n_boundary_) wish_[q[i]] += corner_angle(q, i) / (0.5 * std::numbers::pi);
       add(q);
     }
   }
@@ -156,12 +153,6 @@ class Editor {
  private:
   using Quad = std::array<int, 4>;
 
-  double corner_angle(const Quad& q, int i) const {
-    const Point2 a = points_[q[(i + 1) % 4]] - points_[q[i]], b = points_[q[(i + 3) % 4]] - points_[q[i]];
-    const double angle = std::atan2(cross2(a, b), a.dot(b));
-    return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
-  }
-
   void add(const Quad& q) {
     for (const int node : q) at_node_[node].push_back(static_cast<int>(quads_.size()));
     quads_.push_back(q);
@@ -172,11 +163,18 @@ class Editor {
   }
 
   int valence(int node) const { return static_cast<int>(at_node_[node].size()); }
-  /// How far a node with `n` quads is from its wish; the boundary cannot give way, so it counts more.
+  /// How far `n` quads at a node are from its wish; the boundary cannot give way, so it counts more, and
+  /// most of all where a quad would have to open its corner almost flat.
   double cost(int node, int n) const {
-    constexpr double boundary_weight = 3.0;
-    const double off = n - wish_[node];
-    return (node < n_boundary_ ? boundary_weight : 1.0) * off * off;
+    constexpr double boundary_weight = 3.0, flat_weight = 50.0, flat = 1.75;
+    if (node >= n_boundary_) return (n - 4.0) * (n - 4.0);
+    double most = 0.0;
+    for (const auto& shape : angles_) {
+      const double wish = shape[node] / (0.5 * std::numbers::pi);
+      const double open = std::max(0.0, wish / n - flat);
+      most = std::max(most, boundary_weight * (n - wish) * (n - wish) + flat_weight * open);
+    }
+    return most;
   }
   /// Change of the cost when `node` gets `change` more quads.
   double gain(int node, int change) const {
@@ -290,7 +288,7 @@ class Editor {
   int n_boundary_;
   std::vector<Quad> quads_;
   std::vector<std::vector<int>> at_node_;
-  std::vector<double> wish_;
+  const std::vector<std::vector<double>>& angles_;
 };
 
 }  // namespace
@@ -306,8 +304,9 @@ std::optional<PlanarMesh> with_triangles_paired(const PlanarMesh& mesh) {
   }
 }
 
-PlanarMesh with_regular_valences(const PlanarMesh& mesh) {
-  Editor editor(mesh);
+PlanarMesh with_regular_valences(const PlanarMesh& mesh,
+                                 const std::vector<std::vector<double>>& angles) {
+  Editor editor(mesh, angles);
   editor.run();
   return editor.result();
 }
