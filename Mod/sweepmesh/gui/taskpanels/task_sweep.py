@@ -4,7 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from sweepmesh import engine
-from sweepmesh.app.objects.sweep import ORDERS, options_of
+from sweepmesh.app.objects.sweep import options_of
 from sweepmesh.app.remembered import remember
 from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
@@ -192,7 +192,8 @@ class SweepPanel:
         """What OK does, as recorded Python."""
         settings = self.settings()
         if self._mesh:
-            arguments = [recorder.reference(self._mesh), *recorder.arguments(_changes(options_of(self._mesh), settings))]
+            changed = recorder.arguments(_changes(options_of(self._mesh), settings))
+            arguments = [recorder.reference(self._mesh), *changed]
             return tr("Edit sweep mesh"), [f"sweepmesh.app.update_sweep_mesh({', '.join(arguments)})"]
         shape = recorder.reference(self._shape)
         arguments = [shape, *recorder.arguments(_changes(engine.Options(), settings))]
