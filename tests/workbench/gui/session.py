@@ -43,7 +43,12 @@ def run(macro, folder, timeout=300, environment=None):
             ).returncode
     results = folder / "results.json"
     assert results.exists(), f"FreeCAD ended with {status} and left no results:\n{log.read_text()[-4000:]}"
-    return json.loads(results.read_text())
+    return {**json.loads(results.read_text()), "tracebacks": _tracebacks(log.read_text())}
+
+
+def _tracebacks(text):
+    """Errors in slots and observers end no macro: they only reach the log."""
+    return [part.strip()[-600:] for part in text.split("Traceback (most recent call last):")[1:]]
 
 
 class _server:

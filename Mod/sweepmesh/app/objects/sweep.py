@@ -51,6 +51,7 @@ TABLE = (
         Property("App::PropertyFloat", "MeanScaledJacobian", "Mean quality of the elements"),
         Property("App::PropertyInteger", "Inverted", "Number of inverted elements"),
         Property("App::PropertyIntegerList", "Histogram", "Elements in each of 20 classes of quality, from -1 to 1"),
+        Property("App::PropertyFloatList", "ScaledJacobians", "Quality of each element by its id", mode=HIDDEN),
         Property("App::PropertyStringList", "Warnings", "What the last run warned of"),
         Property("App::PropertyString", "Fingerprint", "Of the shape and settings of the mesh", mode=HIDDEN),
     ),
@@ -151,6 +152,7 @@ def store_report(obj, result):
     obj.Nodes, obj.Hexahedra, obj.Prisms = len(result.points), len(result.hexahedra), len(result.prisms)
     obj.UsedSize = result.size
     _store_quality(obj, result.quality)
+    obj.ScaledJacobians = result.scaled_jacobians.tolist()
     obj.Warnings = list(result.warnings)
 
 
