@@ -47,8 +47,9 @@ def run(macro, folder, timeout=300, environment=None):
 
 
 def _tracebacks(text):
-    """Errors in slots and observers end no macro: they only reach the log."""
-    return [part.strip()[-600:] for part in text.split("Traceback (most recent call last):")[1:]]
+    """Errors in slots and observers end no macro: they only reach the log. Failed recomputes are logged there too."""
+    parts = [part.strip() for part in text.split("Traceback (most recent call last):")[1:]]
+    return [part[-600:] for part in parts if "in execute" not in part]
 
 
 class _server:

@@ -22,7 +22,7 @@ class QualityPanel:
     """
 
     def __init__(self, mesh):
-        self._mesh = mesh
+        self._mesh, self._document_name = mesh, mesh.Document.Name
         self._quality = np.array(mesh.ScaledJacobians)
         self._elements = Elements(mesh.FemMesh)
         self._overlay = ElementOverlay(mesh)
@@ -107,7 +107,7 @@ class QualityPanel:
 
     def slotDeletedDocument(self, document):
         """FreeCAD calls this when a document is about to be closed."""
-        if document == self._mesh.Document:
+        if document.Name == self._document_name:
             self._close()
 
     def slotDeletedObject(self, obj):
