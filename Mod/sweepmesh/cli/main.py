@@ -47,12 +47,12 @@ def _run(arguments):
         raise
     state["seconds"]["total"] = time.perf_counter() - started
     report = _write_report(arguments.report, **state)
-    if not state["assessment"].is_sweepable:
-        _complain(report)
-        return UNSWEEPABLE
+    is_sweepable = state["assessment"].is_sweepable
     if not arguments.quiet:
         print(reports.text_of(report))
-    return DONE
+    elif not is_sweepable:
+        print(reports.text_of(report), file=sys.stderr)
+    return DONE if is_sweepable else UNSWEEPABLE
 
 
 def _work(arguments, state):
@@ -122,12 +122,6 @@ class _timed:
 
     def __exit__(self, *_exception):
         self._seconds[self._stage] = time.perf_counter() - self._started
-
-
-def _complain(report):
-    print("The solid cannot be swept:", file=sys.stderr)
-    for reason in report["reasons"]:
-        print(f"  {reason['text']}", file=sys.stderr)
 
 
 def _warn(sentence):

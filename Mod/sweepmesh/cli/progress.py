@@ -27,5 +27,5 @@ def progress_bar(is_wanted):
     from tqdm import tqdm
 
     layout = "{desc:<28.28} {percentage:3.0f} % |{bar}| {elapsed}"
-    with tqdm(total=1.0, bar_format=layout, leave=False, file=sys.stderr) as bar:
+    with tqdm(total=1.0, bar_format=layout, desc="Reading", leave=False, file=sys.stderr) as bar:
         yield Bar(bar)

@@ -55,6 +55,8 @@ def _error(error):
 
 def text_of(report):
     """The report for people: the plan, the mesh, a histogram and the times."""
+    if report["verdict"] == "unsweepable":
+        return "\n".join(["The solid cannot be swept:", *_indented(r["text"] for r in report["reasons"])])
     parts = [_plan(report)]
     if report["counts"]:
         parts += [_mesh(report), _quality(report["quality"]), _times(report["seconds"])]
@@ -68,7 +70,7 @@ def _plan(report):
     lines = [f"{role:<8} {_shortened(roles[role])}" for role in sorted(roles, key=_ROLE_ORDER.index)]
     if report["size"]:
         lines.append(f"{'size':<8} {report['size']:.4g}, {report['layers']} layers")
-    return "\n".join(["Plan", *_indented(lines)]) if lines else ""
+    return "\n".join([f"The solid is {report['verdict']}.", "", "Plan", *_indented(lines)])
 
 
 _ROLE_ORDER = ["source", "target", "linking"]

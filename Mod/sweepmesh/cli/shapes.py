@@ -1,6 +1,8 @@
 """From SHAPE on the command line to a Model, and from FACE to the number of a face."""
 
+import contextlib
 import dataclasses
+import os
 import pathlib
 import re
 from typing import Any, List
@@ -30,18 +32,34 @@ def read_shape(path, object_name=None, solid=1):
     """Reads SHAPE; `solid` counts from 1. Raises InputError."""
     path = pathlib.Path(path)
     if solid < 1:
-        raise input_error("Solids are counted from 1.")
+        raise input_error("Solids are counted from 1: --solid 1 is the first.")
     if path.suffix.lower() in MESH_SUFFIXES:
         raise input_error(f"{path} is a mesh, not a CAD solid: give a STEP, IGES, BREP or FCStd file.")
-    if path.suffix.lower() == ".fcstd":
-        shape = _read_document(path, object_name, solid)
-    elif object_name:
+    is_document = path.suffix.lower() == ".fcstd"
+    if object_name and not is_document:
         raise input_error(f"--object names an object of an .FCStd file, which {path} is not.")
-    else:
-        shape = Shape(read(path, solid - 1), path)
+    with _muted():
+        if is_document:
+            shape = _read_document(path, object_name, solid)
+        else:
+            shape = Shape(read(path, solid - 1), path)
     if shape.model.n_solids > 1:
         shape.warnings.append(f"{path} has {shape.model.n_solids} solids; solid {solid} is used.")
     return shape
+
+
+@contextlib.contextmanager
+def _muted():
+    """Keeps what OpenCASCADE and FreeCAD print while they read away from standard output."""
+    kept = os.dup(1)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 1)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+        os.close(nowhere)
 
 
 def _read_document(path, object_name, solid):
@@ -51,7 +69,8 @@ def _read_document(path, object_name, solid):
     try:
         document = freecad.openDocument(str(path), True)
     except Exception as error:  # FreeCAD raises various types for a broken file
-        raise input_error(f"{path} cannot be read as a FreeCAD document: {error}.") from error
+        reason = " ".join(str(error).split()).rstrip(" .")
+        raise input_error(f"{path} cannot be read as a FreeCAD document: {reason}.") from error
     chosen, warnings = _choose_object(document, path, object_name)
     model = Model.from_brep(chosen.Shape.exportBrepToString(), solid - 1)
     return Shape(model, path, chosen, warnings)

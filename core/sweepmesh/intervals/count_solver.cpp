@@ -6,6 +6,7 @@
 #include "sweepmesh/intervals/count_conflict.h"
 #include "sweepmesh/intervals/count_problem.h"
 #include "sweepmesh/intervals/count_reduction.h"
+#include "sweepmesh/intervals/count_repair.h"
 
 namespace sweepmesh {
 namespace {
@@ -208,23 +209,71 @@ bool bounds_cross(const CountClasses& c) {
                      [](const auto& k) { return k.lower > k.upper; });
 }
 
+/// Solves parts one after the other; the values of classes in no part are those of least cost.
+class PartSolver {
+ public:
+  PartSolver(const CountClasses& c, const CountOptions& options, Context& context)
+      : classes_(c), options_(options), context_(context), fixed_(fixed_classes(c)) {
+    for (const auto& k : c.classes) start_.push_back(best_count(k));
+    value_ = start_;
+  }
+
+  bool solve_all() {
+    for (const auto& part : independent_parts(classes_, fixed_)) {
+      if (!solve_part(part)) return false;
+    }
+    return true;
+  }
+
+  const std::vector<double>& values() const { return value_; }
+  bool is_optimal() const { return is_optimal_; }
+
+ private:
+  /// First without even sums, which leaves a program with (nearly) whole corners; these are then
+  /// repaired within a step or two. Only where that fails does branch and bound see the even sums.
+  bool solve_part(const std::vector<int>& part) {
+    const bool has_parity = std::any_of(part.begin(), part.end(),
+                                        [&](int d) { return is_parity(classes_.demands[d].kind); });
+    if (!solve_program(part, false)) return false;
+    if (!has_parity || repair(part, 1) || repair(part, 2)) return true;
+    return solve_program(part, true);
+  }
+
+  bool solve_program(const std::vector<int>& part, bool with_parity) {
+    PartProgram p(classes_, start_, fixed_, options_);
+    for (const int d : part)
+      if (with_parity || !is_parity(classes_.demands[d].kind)) p.add(classes_.demands[d]);
+    const SolveOptions how{.time_limit_seconds = options_.time_limit_seconds};
+    const Solution s = solve(p.program(), how, context_);
+    if (s.status == SolveStatus::infeasible) return false;
+    is_optimal_ = is_optimal_ && s.status == SolveStatus::optimal;
+    for (const auto& [k, v] : p.variables()) value_[k] = s.values[v];
+    return true;
+  }
+
+  bool repair(const std::vector<int>& part, int max_step) {
+    const RepairOptions how{.max_step = max_step, .odd_penalty = options_.odd_penalty};
+    auto repaired = repair_parity(classes_, part, fixed_, value_, how);
+    if (repaired) value_ = std::move(*repaired);
+    return repaired.has_value();
+  }
+
+  const CountClasses& classes_;
+  const CountOptions& options_;
+  Context& context_;
+  std::vector<bool> fixed_;
+  std::vector<double> start_, value_;
+  bool is_optimal_ = true;
+};
+
 /// Class values, or nothing where infeasible. `is_optimal` is cleared when a part ran out of time.
 std::optional<std::vector<double>> solve_classes(const CountClasses& c, const CountOptions& options,
                                                  Context& context, bool& is_optimal) {
   if (bounds_cross(c)) return std::nullopt;
-  std::vector<double> value;
-  for (const auto& k : c.classes) value.push_back(best_count(k));
-  const auto fixed = fixed_classes(c);
-  for (const auto& part : independent_parts(c, fixed)) {
-    PartProgram p(c, value, fixed, options);
-    for (const int d : part) p.add(c.demands[d]);
-    const Solution s =
-        solve(p.program(), {.time_limit_seconds = options.time_limit_seconds}, context);
-    if (s.status == SolveStatus::infeasible) return std::nullopt;
-    is_optimal = is_optimal && s.status == SolveStatus::optimal;
-    for (const auto& [k, v] : p.variables()) value[k] = s.values[v];
-  }
-  return value;
+  PartSolver solver(c, options, context);
+  if (!solver.solve_all()) return std::nullopt;
+  is_optimal = solver.is_optimal();
+  return solver.values();
 }
 
 std::optional<std::vector<double>> reduce_and_solve(const CountProblem& problem, CountClasses& c,

@@ -11,13 +11,7 @@ namespace sweepmesh {
 namespace {
 
 /// Costs up to which schemes are looked for, one after the other until one is found: with a low limit most choices are ruled out at once.
-constexpr std::array kCostLimits = {1.0, 4.0, 16.0, 64.0, kImpossible};
-
-std::vector<std::string> names(const std::vector<FaceId>& faces) {
-  std::vector<std::string> out;
-  for (FaceId f : faces) out.push_back(name_of(f));
-  return out;
-}
+constexpr std::array kCostLimits = {2.0, 4.0, 8.0, 16.0, 64.0, kImpossible};
 
 int index_of(const SweepProblem& problem, FaceId id) {
   const auto at = std::ranges::find(problem.faces, id, &ProblemFace::id);
@@ -60,7 +54,8 @@ SearchResult search(const Network& network, const Choices& start, SearchOptions 
   for (double limit : kCostLimits) {
     options.max_cost = limit;
     result = search_divisions(network, start, options, context);
-    if (!result.divisions.empty()) break;
+    options.max_effort -= result.effort;
+    if (!result.divisions.empty() || options.max_effort <= 0) break;
   }
   return result;
 }
@@ -81,7 +76,7 @@ std::vector<Scheme> ranked(const Model& model, const Network& network,
 Assessment assess(const Model& model, const Picks& picks, Context& context) {
   SweepProblem problem = sweep_problem(model, context);
   if (auto reasons = open_edges(problem); !reasons.empty()) return {{}, reasons};
-  const Network network = make_network(std::move(problem), {});
+  const Network network = make_network(std::move(problem), strict_limits());
   Choices start = open_choices(network);
   apply(picks, network, start);
   SearchOptions options;

@@ -20,12 +20,13 @@ double frame_error(double heading, double frame, int direction) {
 class FaceSolver {
  public:
   FaceSolver(const SweepProblem& problem, int face, const std::vector<StateCosts>& coedge_cost,
-             const std::vector<std::array<double, 4>>& corner_cost)
+             const std::vector<std::array<double, 4>>& corner_cost, const Preferences& preferences)
       : problem_(problem),
         face_(problem.faces[face]),
         first_(problem.first_coedge(face)),
         coedge_cost_(coedge_cost),
-        corner_cost_(corner_cost) {
+        corner_cost_(corner_cost),
+        preferences_(preferences) {
     StateCosts none;
     none.fill(kImpossible);
     out_.marginal.assign(coedge_cost.size(), none);
@@ -46,7 +47,7 @@ class FaceSolver {
   }
 
   void add_cap(int state) {
-    double sum = 0.0;
+    double sum = preferences_.per_cap;
     for (const StateCosts& cost : coedge_cost_) sum += cost[state];
     for (StateCosts& marginal : out_.marginal) marginal[state] = sum;
     out_.best = std::min(out_.best, sum);
@@ -54,20 +55,20 @@ class FaceSolver {
 
   void add_linking() {
     const std::size_t n_loops = face_.loops.size();
-    if (n_loops == 1) return merge({program(0, 4)});
+    if (n_loops == 1) return merge({program(0, 4)}, 0.0);
     const double frame = outer_frame();
     for (int turn = 0; turn < 4; ++turn) {
       std::vector<LoopProgram> programs;
       for (std::size_t l = 0; l < n_loops; ++l)
         programs.push_back(in_frame(l, frame - turn * kQuarterTurn));
-      merge(programs);
+      merge(programs, 0.0);
     }
     for (std::size_t hole = 1; hole < n_loops; ++hole)
       for (Direction outer : {Direction::plus_i, Direction::minus_i}) {
         std::vector<LoopProgram> programs = {around(0, outer)};
         for (std::size_t l = 1; l < n_loops; ++l)
           programs.push_back(l == hole ? around(l, opposite(outer)) : program(l, -4));
-        merge(programs);
+        merge(programs, preferences_.per_annulus);
       }
   }
 
@@ -124,10 +125,9 @@ class FaceSolver {
     return out;
   }
 
-  /// Lowers the marginals to what one choice of sums and frame allows.
-  void merge(const std::vector<LoopProgram>& programs) {
+  /// Lowers the marginals to what one choice of sums and frame allows, which costs `sum` by itself.
+  void merge(const std::vector<LoopProgram>& programs, double sum) {
     std::vector<LoopMarginals> loops;
-    double sum = 0.0;
     for (const LoopProgram& p : programs) {
       loops.push_back(loop_marginals(p));
       sum += loops.back().best;
@@ -148,6 +148,7 @@ class FaceSolver {
   int first_;
   const std::vector<StateCosts>& coedge_cost_;
   const std::vector<std::array<double, 4>>& corner_cost_;
+  const Preferences& preferences_;
   FaceCosts out_;
 };
 
@@ -162,8 +163,9 @@ double FaceCosts::of_role(FaceRole role) const {
 }
 
 FaceCosts face_costs(const SweepProblem& problem, int face, const std::vector<StateCosts>& coedge_cost,
-                     const std::vector<std::array<double, 4>>& corner_cost) {
-  return FaceSolver(problem, face, coedge_cost, corner_cost).solve();
+                     const std::vector<std::array<double, 4>>& corner_cost,
+                     const Preferences& preferences) {
+  return FaceSolver(problem, face, coedge_cost, corner_cost, preferences).solve();
 }
 
 }  // namespace sweepmesh

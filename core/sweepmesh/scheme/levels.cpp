@@ -40,12 +40,36 @@ Groups joined_vertices(const Network& n, const Choices& choices) {
   return groups;
 }
 
+/// +1 or -1 where all coedges of a loop are known to run along +i or -i, else 0.
+int way_around(const Choices& choices, const ProblemLoop& loop) {
+  constexpr StateSet kPlusI = 0b0001, kMinusI = 0b0100;
+  const auto all = [&](StateSet state) {
+    for (int c = loop.first; c < loop.first + loop.count; ++c)
+      if (choices.domain[c] != state) return false;
+    return loop.count > 0;
+  };
+  return all(kPlusI) ? 1 : all(kMinusI) ? -1 : 0;
+}
+
+/// In an annulus without axial edges k grows from the loop along +i to the one along -i.
+void add_annuli(const Network& n, const Choices& choices, std::vector<std::pair<int, int>>& out) {
+  for (const ProblemFace& face : n.problem.faces)
+    for (std::size_t hole = 1; hole < face.loops.size(); ++hole) {
+      const int way = way_around(choices, face.loops[0]);
+      if (way == 0 || way_around(choices, face.loops[hole]) != -way) continue;
+      const int outer = n.problem.coedges[face.loops[0].first].start;
+      const int inner = n.problem.coedges[face.loops[hole].first].start;
+      out.push_back(way > 0 ? std::pair{outer, inner} : std::pair{inner, outer});
+    }
+}
+
 /// Lower and upper end of each coedge that is known to be axial and to run up.
 std::vector<std::pair<int, int>> rises(const Network& n, const Choices& choices) {
   std::vector<std::pair<int, int>> out;
   for (std::size_t c = 0; c < n.problem.coedges.size(); ++c)
     if (is_single(choices.domain[c]) && has(choices.domain[c], kPlusK))
       out.emplace_back(n.problem.coedges[c].start, n.problem.coedges[c].end);
+  add_annuli(n, choices, out);
   return out;
 }
 
@@ -108,6 +132,23 @@ std::optional<LevelGroups> level_groups(const Network& network, const Choices& c
   for (const ProblemCoedge& c : network.problem.coedges)
     out.group[c.start] = number[groups.root(c.start)];
   return out;
+}
+
+bool has_both_ends(const Network& network, const Choices& choices) {
+  std::vector<StateSet> of_shell;
+  bool has_source = false, has_target = false;
+  for (std::size_t f = 0; f < network.problem.faces.size(); ++f) {
+    const int shell = network.problem.faces[f].shell;
+    if (shell >= static_cast<int>(of_shell.size())) of_shell.resize(shell + 1, 0);
+    of_shell[shell] |= choices.role[f];
+    has_source |= choices.role[f] == kSourceStates;
+    has_target |= choices.role[f] == kTargetStates;
+  }
+  if (!has_source || !has_target) return false;
+  const bool has_closed_cap = std::ranges::any_of(
+      of_shell, [](StateSet roles) { return roles == kSourceStates || roles == kTargetStates; });
+  if (!has_closed_cap) return true;
+  return of_shell.size() == 2 && (of_shell[0] ^ of_shell[1]) == (kSourceStates | kTargetStates);
 }
 
 bool is_euler_balanced(const Network& network, const Choices& choices) {

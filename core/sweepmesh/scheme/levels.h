@@ -19,6 +19,10 @@ struct LevelGroups {
 /// Linear in the number of edges.
 std::optional<LevelGroups> level_groups(const Network& network, const Choices& choices);
 
+/// Whether there is a source and a target, and no closed shell is a cap as a whole unless it is one of two, the other being the opposite
+/// cap (a radial sweep): a closed section cannot be joined to or cut from anything else. `choices` are decided.
+bool has_both_ends(const Network& network, const Choices& choices);
+
 /// Whether sources and targets can be swept into each other at all, by the Euler characteristic: going up through
 /// the levels, a target is joined to the section along its CORNER edges and a source is cut out of it along its CORNER edges, so
 ///   sum over targets of (chi(target) - chi(its CORNER edges)) = sum over sources of the same.

@@ -1,5 +1,7 @@
 #include "sweepmesh/scheme/limits.h"
 
+#include <limits>
+
 namespace sweepmesh {
 
 double angle_cost(double angle, VertexType type) {
@@ -15,11 +17,20 @@ bool is_vertex_allowed(double angle, VertexType type, const AngleLimits& limits)
 
 bool is_edge_allowed(double least, double largest, VertexType type, const AngleLimits& limits) {
   if (least < limits.margin || largest > 4 * kQuarterTurn - limits.margin) return false;
+  const double ideal = ideal_angle(type);
+  if (ideal - least > limits.edge_deviation || largest - ideal > limits.edge_deviation)
+    return false;
   const double flat = 2 * kQuarterTurn;
   if (type == VertexType::end)
     return largest < (limits.allows_tangent_end ? flat + limits.margin : flat - limits.margin);
   if (type == VertexType::corner) return least > flat - limits.margin;
   return type == VertexType::side;
+}
+
+AngleLimits lenient_limits() {
+  AngleLimits out;
+  out.edge_deviation = std::numeric_limits<double>::infinity();
+  return out;
 }
 
 }  // namespace sweepmesh

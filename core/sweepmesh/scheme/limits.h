@@ -18,10 +18,18 @@ struct AngleLimits {
   /// END edges and END vertices stay this far below 180 degrees; everything stays this far above 0 and
   /// below 360.
   double margin = 5.0 * std::numbers::pi / 180.0;
-  /// Whether END edges may be as flat as 180 degrees, and CORNER edges too: on a round wall the mesh, being made of
-  /// chords, is still valid there, though poor.
+  /// How far an edge's dihedral angle may be anywhere from what its type asks for. With 60 degrees an edge is only what its angle
+  /// suggests; infinite, only `margin` counts.
+  double edge_deviation = std::numbers::pi / 3;
+  /// Whether END edges may be as flat as 180 degrees: on a round wall the mesh, being made of chords, is still valid
+  /// there, though poor.
   bool allows_tangent_end = false;
 };
+
+/// What is wanted where the roles of faces are free.
+inline AngleLimits strict_limits() { return {}; }
+/// What is possible at all: where somebody has decided on sources and targets.
+AngleLimits lenient_limits();
 
 /// 90, 180, 270 or 360 degrees in radians.
 inline double ideal_angle(VertexType type) {

@@ -14,15 +14,20 @@ constexpr std::array kTypes = {VertexType::end, VertexType::side, VertexType::co
 
 int direction_after(int first, int turning) { return ((first + turning) % 4 + 4) % 4; }
 
-/// Costs by (coedge, turning since coedge 0), for one direction of coedge 0.
+/// Costs by (coedge, turning since coedge 0), for one direction of coedge 0. Only turnings are kept from which the sum can still
+/// be met.
 class TurningTable {
  public:
-  TurningTable(int n, int reach) : reach_(reach), cost_((n + 1) * (2 * reach + 1), kInf) {}
-  int reach() const { return reach_; }
-  double& at(int c, int turning) { return cost_[c * (2 * reach_ + 1) + turning + reach_]; }
+  TurningTable(int n, int sum) : n_(n), sum_(sum), width_(2 * kMaxTurning + 1) {
+    cost_.assign((n + 1) * width_, kInf);
+  }
+  int lowest(int c) const { return std::max({-2 * c, sum_ - (n_ - c), -kMaxTurning}); }
+  int highest(int c) const { return std::min({c, sum_ + 2 * (n_ - c), kMaxTurning}); }
+  bool has(int c, int turning) const { return turning >= lowest(c) && turning <= highest(c); }
+  double& at(int c, int turning) { return cost_[c * width_ + turning + kMaxTurning]; }
 
  private:
-  int reach_;
+  int n_, sum_, width_;
   std::vector<double> cost_;
 };
 
@@ -35,10 +40,9 @@ class LoopSolver {
   }
 
   LoopMarginals solve() {
-    const int reach = std::min(2 * n_ + 4, kMaxTurning);
     for (int first = 0; first < 4; ++first)
-      if (loop_.direction_cost[0][first] < kInf) solve_from(first, reach);
-    return out_;
+      if (loop_.direction_cost[0][first] < kInf) solve_from(first);
+    return std::move(out_);
   }
 
  private:
@@ -48,14 +52,15 @@ class LoopSolver {
     return loop_.direction_cost[c][direction_after(first, turning)];
   }
 
-  void solve_from(int first, int reach) {
-    TurningTable ahead(n_, reach), behind(n_, reach);
+  void solve_from(int first) {
+    TurningTable ahead(n_, loop_.sum), behind(n_, loop_.sum);
+    if (!ahead.has(0, 0) || !ahead.has(n_, loop_.sum)) return;
     ahead.at(0, 0) = arrival(first, 0, 0);
     behind.at(n_, loop_.sum) = 0.0;
     for (int c = 0; c < n_; ++c) sweep_forward(first, c, ahead);
-    for (int c = n_ - 1; c >= 0; --c) sweep_backward(first, c, behind);
+    for (int c = n_ - 1; c >= 0; --c) sweep_backward(first, c, ahead, behind);
     for (int c = 0; c < n_; ++c)
-      for (int h = -reach; h <= reach; ++h) {
+      for (int h = ahead.lowest(c); h <= ahead.highest(c); ++h) {
         double& best = out_.marginal[c][direction_after(first, h)];
         best = std::min(best, ahead.at(c, h) + behind.at(c, h));
         out_.best = std::min(out_.best, best);
@@ -63,11 +68,11 @@ class LoopSolver {
   }
 
   void sweep_forward(int first, int c, TurningTable& ahead) {
-    for (int h = -ahead.reach(); h <= ahead.reach(); ++h) {
+    for (int h = ahead.lowest(c); h <= ahead.highest(c); ++h) {
       if (ahead.at(c, h) == kInf) continue;
       for (int t = 0; t < 4; ++t) {
         const int next = h + static_cast<int>(kTypes[t]);
-        if (std::abs(next) > ahead.reach()) continue;
+        if (!ahead.has(c + 1, next)) continue;
         const double cost = ahead.at(c, h) + loop_.type_cost[c][t] + arrival(first, c + 1, next);
         ahead.at(c + 1, next) = std::min(ahead.at(c + 1, next), cost);
       }
@@ -75,15 +80,17 @@ class LoopSolver {
   }
 
   /// behind(c, h): cost of everything after coedge c, its own corner included.
-  void sweep_backward(int first, int c, TurningTable& behind) {
-    for (int h = -behind.reach(); h <= behind.reach(); ++h)
+  void sweep_backward(int first, int c, TurningTable& ahead, TurningTable& behind) {
+    for (int h = ahead.lowest(c); h <= ahead.highest(c); ++h) {
+      if (ahead.at(c, h) == kInf) continue;
       for (int t = 0; t < 4; ++t) {
         const int next = h + static_cast<int>(kTypes[t]);
-        if (std::abs(next) > behind.reach()) continue;
+        if (!ahead.has(c + 1, next)) continue;
         const double cost =
             behind.at(c + 1, next) + loop_.type_cost[c][t] + arrival(first, c + 1, next);
         behind.at(c, h) = std::min(behind.at(c, h), cost);
       }
+    }
   }
 
   const LoopProgram& loop_;

@@ -24,8 +24,8 @@ struct LoopMarginals {
   std::vector<std::array<double, 4>> marginal;
 };
 
-/// Exact. Cost: 64 n times the range of the turning, which is at most 2 n + 4 and never beyond 48 quarter turns either way
-/// (no face spirals that far).
+/// Exact. Cost: n times the range that the turning can take (a few values where the sum is tight), which is never beyond 48
+/// quarter turns either way: no face spirals that far. An empty loop cannot be.
 LoopMarginals loop_marginals(const LoopProgram& loop);
 
 /// Type costs of a corner from its interior angle (limits.h); infinite for types outside the limits.

@@ -64,7 +64,7 @@ class Propagation {
     for (int c = first; c < first + count; ++c) own.push_back(own_costs(n_, choices_, c));
     const std::vector<std::array<double, 4>> corner(n_.corner.begin() + first,
                                                     n_.corner.begin() + first + count);
-    FaceCosts costs = face_costs(n_.problem, face, own, corner);
+    FaceCosts costs = face_costs(n_.problem, face, own, corner, n_.preferences);
     if (costs.best == kImpossible) return false;
     choices_.bound += costs.best - choices_.face_bound[face];
     choices_.face_bound[face] = costs.best;
@@ -104,9 +104,9 @@ class Propagation {
 }  // namespace
 
 Network make_network(SweepProblem problem, const AngleLimits& limits,
-                     const std::vector<FixedCorner>& fixed) {
-  Network out{std::move(problem), {}, {}};
-  out.pair = pair_costs(out.problem, limits);
+                     const std::vector<FixedCorner>& fixed, const Preferences& preferences) {
+  Network out{std::move(problem), {}, {}, preferences};
+  out.pair = pair_costs(out.problem, limits, preferences);
   for (const ProblemCoedge& coedge : out.problem.coedges)
     out.corner.push_back(corner_costs(coedge.angle, limits));
   for (const FixedCorner& f : fixed)

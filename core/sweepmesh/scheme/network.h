@@ -15,6 +15,7 @@ struct Network {
   SweepProblem problem;
   std::vector<PairCosts> pair;                     ///< by edge
   std::vector<std::array<double, 4>> corner;       ///< by coedge: types at its end
+  Preferences preferences;
 };
 
 /// A vertex type that is fixed: of the corner where a coedge (SweepProblem index) ends.
@@ -24,7 +25,8 @@ struct FixedCorner {
 };
 
 Network make_network(SweepProblem problem, const AngleLimits& limits,
-                     const std::vector<FixedCorner>& fixed = {});
+                     const std::vector<FixedCorner>& fixed = {},
+                     const Preferences& preferences = {});
 
 /// A state of the search. `domain[c]` are the states left to coedge c, `role[f]` the roles left to a face (a mask of the same
 /// bits: kLinkingStates as a whole, kSourceStates, kTargetStates). `bound` is the sum over the faces of what each costs at least

@@ -20,24 +20,29 @@ class Search {
       : n_(n), options_(options), context_(context), limit_(options.max_cost) {}
 
   SearchResult over_roles(Choices start) {
-    std::vector<int> touched = all_faces(n_);
-    result_.conflict = propagate(n_, limit_, touched, start, effort_, context_);
-    if (result_.conflict) return std::move(result_);
-    if (options_.is_symmetric) {
-      from_each_seed(std::move(start));
-    } else {
-      branch_roles(start);
-    }
+    run_roles(std::move(start));
+    result_.effort = effort_;
     return std::move(result_);
   }
 
   SearchResult over_states(Choices start) {
     result_.conflict = propagate(n_, limit_, all_faces(n_), start, effort_, context_);
     if (!result_.conflict) finish(start);
+    result_.effort = effort_;
     return std::move(result_);
   }
 
  private:
+  void run_roles(Choices start) {
+    result_.conflict = propagate(n_, limit_, all_faces(n_), start, effort_, context_);
+    if (result_.conflict) return;
+    if (options_.is_symmetric) {
+      from_each_seed(std::move(start));
+    } else {
+      branch_roles(start);
+    }
+  }
+
   bool is_exhausted() {
     if (effort_ < options_.max_effort) return false;
     result_.is_complete = false;
@@ -62,7 +67,8 @@ class Search {
         if ((start.role[f] & kSourceStates) && may_link != is_cap_only) seeds.push_back(f);
       }
     for (int seed : seeds) {
-      if (is_exhausted() || !(start.role[seed] & kSourceStates)) return;
+      if (is_exhausted()) return;
+      if (!(start.role[seed] & kSourceStates)) continue;
       const bool is_last = !(start.role[seed] & kLinkingStates);
       try_role(start, seed, kSourceStates);
       if (is_last) return;
@@ -169,7 +175,9 @@ class Search {
   }
 
   void take(const Choices& choices) {
-    if (!is_euler_balanced(n_, choices)) {
+    if (!has_both_ends(n_, choices)) {
+      ++result_.n_without_ends;
+    } else if (!is_euler_balanced(n_, choices)) {
       ++result_.n_unbalanced;
     } else if (!do_shells_agree(n_, choices)) {
       ++result_.n_voids_askew;

@@ -13,9 +13,9 @@ struct SearchOptions {
   double max_cost = kImpossible;
   /// At most so many are kept, the cheapest ones; >= 1.
   int max_schemes = 12;
-  /// Coedges looked at before the search ends as it stands (about 0.3 microseconds each); > 0. A count and no
+  /// Coedges looked at before the search ends as it stands (about a microsecond each); > 0. A count and no
   /// clock, so that the answer does not depend on the machine.
-  long max_effort = 4'000'000;
+  long max_effort = 1'500'000;
   /// Sources and targets may be exchanged without harm (nothing tells them apart): half of the search is saved.
   bool is_symmetric = true;
 };
@@ -29,10 +29,11 @@ struct Division {
 struct SearchResult {
   std::vector<Division> divisions;  ///< ascending cost; each with other roles
   bool is_complete = true;          ///< false where the effort ran out
+  long effort = 0;                  ///< coedges looked at
   /// Why nothing was found where nothing was: the face without a choice before any branching, if that was so.
   std::optional<Conflict> conflict;
-  /// Divisions that had a state everywhere but failed by their levels, by the Euler characteristic, by voids.
-  int n_without_levels = 0, n_unbalanced = 0, n_voids_askew = 0;
+  /// Divisions that failed by their levels, for want of a source or target, by the Euler characteristic, by voids.
+  int n_without_levels = 0, n_without_ends = 0, n_unbalanced = 0, n_voids_askew = 0;
 };
 
 /// Depth-first branch and bound over roles, then over states: propagation by single faces (network.h) gives the bound; the face

@@ -22,7 +22,8 @@ void set_both(PairCosts& costs, int a, int b, double cost) {
 
 int first_state(StateSet set) { return std::countr_zero(set); }
 
-PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits) {
+PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits,
+                     const Preferences& preferences) {
   const double end = edge_cost(edge, VertexType::end, limits);
   const double side = edge_cost(edge, VertexType::side, limits);
   const double corner = edge_cost(edge, VertexType::corner, limits);
@@ -34,14 +35,16 @@ PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits) {
   set_both(costs, state(Direction::plus_i), kSourceState, corner);
   set_both(costs, state(Direction::plus_i), kTargetState, end);
   set_both(costs, state(Direction::minus_i), kTargetState, corner);
-  costs[kSourceState][kSourceState] = side;
-  costs[kTargetState][kTargetState] = side;
+  const double seam = edge.is_seam ? preferences.per_cap_seam : 0.0;
+  costs[kSourceState][kSourceState] = side + seam;
+  costs[kTargetState][kTargetState] = side + seam;
   return costs;
 }
 
-std::vector<PairCosts> pair_costs(const SweepProblem& problem, const AngleLimits& limits) {
+std::vector<PairCosts> pair_costs(const SweepProblem& problem, const AngleLimits& limits,
+                                  const Preferences& preferences) {
   std::vector<PairCosts> out;
-  for (const ProblemEdge& edge : problem.edges) out.push_back(pair_costs(edge, limits));
+  for (const ProblemEdge& edge : problem.edges) out.push_back(pair_costs(edge, limits, preferences));
   return out;
 }
 

@@ -32,6 +32,13 @@ inline bool is_single(StateSet set) { return set != 0 && (set & (set - 1)) == 0;
 /// The lowest state of a set that is not empty.
 int first_state(StateSet set);
 
+/// What makes a sweep hard besides its angles, in the same unit as their cost (squared quarter turns).
+struct Preferences {
+  double per_cap = 0.5;       ///< every cap: those beyond one source and one target have to be imprinted
+  double per_annulus = 0.5;   ///< linking face whose grid closes upon itself around a hole
+  double per_cap_seam = 0.5;  ///< seam inside a cap: its mesh has to close upon itself
+};
+
 /// cost[a][b]: state a on the edge's coedge[0] and b on its coedge[1]; kImpossible where they cannot meet.
 using PairCosts = std::array<std::array<double, kStates>, kStates>;
 
@@ -41,7 +48,9 @@ using PairCosts = std::array<std::array<double, kStates>, kStates>;
 ///   source: -i, above a target: +i), CORNER where it rises from a source (+i) or hangs from a target (-i);
 /// - two caps of one kind: a SIDE edge; a source and a target never meet;
 /// - a closed edge is not axial: k cannot grow around it.
-PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits);
-std::vector<PairCosts> pair_costs(const SweepProblem& problem, const AngleLimits& limits);
+PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits,
+                     const Preferences& preferences = {});
+std::vector<PairCosts> pair_costs(const SweepProblem& problem, const AngleLimits& limits,
+                                  const Preferences& preferences = {});
 
 }  // namespace sweepmesh

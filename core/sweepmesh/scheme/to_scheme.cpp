@@ -48,11 +48,10 @@ EdgeRole edge_role(const Network& n, const Division& division, const ProblemEdge
   return out;
 }
 
-/// A linking face whose outer loop does not turn once around.
-bool is_annulus(const FaceScheme& scheme) {
-  int sum = 0;
-  for (VertexType t : scheme.type.front()) sum += static_cast<int>(t);
-  return sum == 0;
+double total_area(const SweepProblem& problem) {
+  double out = 0.0;
+  for (const ProblemFace& face : problem.faces) out += face.area;
+  return out;
 }
 
 }  // namespace
@@ -75,27 +74,17 @@ Scheme to_scheme(const Network& network, const Division& division, int n_faces, 
   return out;
 }
 
-Rank rank_of(const Network& network, const Division& division, const RankOptions& options) {
+Rank rank_of(const Network& network, const Division& division) {
   Rank out;
-  const SweepProblem& problem = network.problem;
-  int n_caps = 0, n_annuli = 0, n_seams = 0;
-  for (std::size_t f = 0; f < problem.faces.size(); ++f) {
+  for (std::size_t f = 0; f < network.problem.faces.size(); ++f) {
     const FaceRole role = role_of(division.choices.role[f]);
-    if (role == FaceRole::linking) {
-      n_annuli += is_annulus(face_scheme(network, division, static_cast<int>(f)));
-      continue;
-    }
-    ++n_caps;
-    out.cap_area += problem.faces[f].area;
-    if (role == FaceRole::source) out.sources.push_back(problem.faces[f].id);
-    const int first = problem.first_coedge(f);
-    for (int c = first; c < first + problem.n_coedges(f); ++c)
-      n_seams += problem.edges[problem.coedges[c].edge].is_seam;
+    if (role == FaceRole::linking) continue;
+    out.cap_area += network.problem.faces[f].area;
+    if (role == FaceRole::source) out.sources.push_back(network.problem.faces[f].id);
   }
-  out.burden = division.cost + options.per_extra_cap * (n_caps - 2) +
-               options.per_annulus * n_annuli + options.per_cap_seam * n_seams / 2;
-  constexpr double kStep = 1e-6;  // rounding in the angles must not decide the order
-  out.burden = std::round(out.burden / kStep) * kStep;
+  constexpr double kStep = 1e-6;  // rounding in the measures must not decide the order
+  out.cost = std::round(division.cost / kStep);
+  out.cap_area = std::round(out.cap_area / (kStep * total_area(network.problem)));
   return out;
 }
 
