@@ -166,7 +166,7 @@ class BoundaryMesher {
     const std::vector<NodeId> nodes = add_cap(image, out_.surface);
     const int k = k_of(cap);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      const auto column = column_at(base.base_node[n], k, k);
+      const auto column = column_at(base.base_node[n], is_source ? k - 1 : k, is_source ? k : k + 1);
       if (column) put(*column, k, nodes[n]);
     }
   }

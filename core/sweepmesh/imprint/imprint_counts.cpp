@@ -213,7 +213,7 @@ ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Impr
                             const IntervalOptions& options, Context& context) {
   Demands demands(model, scheme, imprint, options);
   demands.add();
-  SolvedIntervals solved = solve_intervals(demands.demands(), options, context);
+  SolvedIntervals solved = solve_intervals(model, scheme, demands.demands(), options, context);
   ImprintCounts out{std::move(solved.intervals), {}};
   for (std::size_t e = 0; e < imprint.edges.size(); ++e)
     out.edge.push_back(static_cast<int>(solved.values[demands.unknown(static_cast<int>(e))]));

@@ -17,12 +17,12 @@ namespace sweepmesh {
 Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                            Context& context);
 
-/// The same for demands that the caller has changed or added to.
+/// The same for interval_demands that the caller has changed or added to.
 struct SolvedIntervals {
   Intervals intervals;
   std::vector<long> values;  ///< of all unknowns of the problem
 };
-SolvedIntervals solve_intervals(const IntervalDemands& demands, const IntervalOptions& options,
-                                Context& context);
+SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, IntervalDemands demands,
+                                const IntervalOptions& options, Context& context);
 
 }  // namespace sweepmesh
