@@ -107,8 +107,10 @@ TEST(PlaceInterior, HarmonicExtensionIsThatOfADirectSolver) {
   const Solid solid = make_solid(make_square_with_hole(12, 4), 6, moving_hole(0.5, 1.0, 0.2));
   Points points = solid.input();
   Context context;
+  PlacementOptions options;
+  options.reduction = 1e-6;
   const PlacementReport report =
-      place_interior(solid.extrusion, solid.fixed, points, {.reduction = 1e-6}, context);
+      place_interior(solid.extrusion, solid.fixed, points, options, context);
   EXPECT_TRUE(report.was_solved);
   EXPECT_GT(report.min_scaled_jacobian, 0.0);
   std::printf("iterations %d, min %g\n", report.n_iterations, report.min_scaled_jacobian);
