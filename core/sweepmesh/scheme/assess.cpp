@@ -12,7 +12,8 @@ namespace sweepmesh {
 
 namespace {
 
-/// Costs up to which schemes are looked for, one after the other until one is found: with a low limit most choices are ruled out at once.
+/// Costs up to which schemes are looked for, one after the other until one is found: with a low
+/// limit most choices are ruled out at once.
 constexpr std::array kCostLimits = {2.0, 4.0, 8.0, 16.0, 64.0, kImpossible};
 
 /// Schemes that cost so much more than the best are offered too.
@@ -49,10 +50,11 @@ Choices start_of(const Network& network, const std::vector<Pick>& picks) {
   return out;
 }
 
-/// Raises the limit of cost until something is found, then looks once more for what is nearly as good.
-SearchResult search(const Network& network, const std::vector<Pick>& picks, const Context& context) {
+/// Raises the limit of cost until something is found, then looks once more for what is nearly as
+/// good.
+SearchResult search(const Network& network, const std::vector<Pick>& picks, const Context& context,
+                    SearchOptions options = {}) {
   const Choices start = start_of(network, picks);
-  SearchOptions options;
   options.is_symmetric = picks.empty();
   SearchResult result;
   for (double limit : kCostLimits) {
@@ -82,11 +84,13 @@ std::vector<Scheme> ranked(const Model& model, const Network& network,
 std::vector<FaceId> blamed_picks(const Network& network, const std::vector<Pick>& picks,
                                  const Context& context) {
   std::vector<FaceId> blamed, all;
+  SearchOptions brief;
+  brief.max_effort /= 4 * static_cast<long>(picks.size());
   for (std::size_t i = 0; i < picks.size(); ++i) {
     std::vector<Pick> others = picks;
     others.erase(others.begin() + i);
     all.push_back(picks[i].first);
-    if (!others.empty() && !search(network, others, context).divisions.empty())
+    if (!others.empty() && !search(network, others, context, brief).divisions.empty())
       blamed.push_back(picks[i].first);
   }
   return blamed.empty() ? all : blamed;
@@ -119,6 +123,7 @@ class Assessor {
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
     const Network strict = make_network(problem_, strict_limits());
     if (auto found = try_with(strict, chosen_)) return *found;
+    if (opposed_) return {{}, {*opposed_}};
     const Network lenient = make_network(problem_, lenient_limits());
     if (!chosen_.empty()) {
       if (auto found = try_with(lenient, chosen_)) return *found;
@@ -131,13 +136,18 @@ class Assessor {
  private:
   std::optional<Assessment> try_with(const Network& network, const std::vector<Pick>& picks) {
     SearchResult result = search(network, picks, context_);
-    if (result.divisions.empty()) return {};
+    if (result.divisions.empty()) {
+      is_strict_complete_ |= result.is_complete;
+      if (result.rejections.walls) opposed_ = reason_of_walls(network, *result.rejections.walls);
+      return {};
+    }
     if (auto reason = keep_paired(network, picks_, result.divisions))
       return Assessment{{}, {*reason}};
     return Assessment{ranked(model_, network, result.divisions), {}};
   }
 
-  /// Two closed shells and nothing between them: from the one to the other, whatever the angles between the faces of a shell.
+  /// Two closed shells and nothing between them: from the one to the other, whatever the angles
+  /// between the faces of a shell.
   std::optional<Assessment> try_radial(const Network& lenient) {
     std::vector<Pick> shells;
     for (const ProblemFace& face : problem_.faces) {
@@ -148,17 +158,18 @@ class Assessor {
   }
 
   Assessment refuse(const Network& lenient) {
-    const SearchResult result = search(lenient, {}, context_);
-    if (!result.divisions.empty())
-      return {{}, {angle_reason(lenient, result.divisions.front())}};
+    SearchResult result = search(lenient, {}, context_);
+    result.is_complete |= is_strict_complete_;
+    if (!result.divisions.empty()) return {{}, {angle_reason(lenient, result.divisions.front())}};
     return {{}, reasons_of_failure(lenient, result, context_)};
   }
 
   Assessment refuse_picks(const Network& strict, const Network& lenient) {
     SearchResult free = search(strict, {}, context_);
     if (free.divisions.empty()) return refuse(lenient);
-    return {{}, {pick_reason(strict, blamed_picks(lenient, chosen_, context_),
-                             free.divisions.front())}};
+    return {
+        {},
+        {pick_reason(strict, blamed_picks(lenient, chosen_, context_), free.divisions.front())}};
   }
 
   const Model& model_;
@@ -166,6 +177,8 @@ class Assessor {
   const Context& context_;
   SweepProblem problem_;
   std::vector<Pick> chosen_;
+  bool is_strict_complete_ = false;  ///< some search proved that there is nothing
+  std::optional<Reason> opposed_;    ///< found within the strict limits, but for walls
 };
 
 }  // namespace

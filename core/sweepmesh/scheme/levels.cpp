@@ -11,7 +11,9 @@ namespace {
 constexpr StateSet kTransverseStates = 0b000101;
 constexpr int kPlusK = static_cast<int>(Direction::plus_k);
 
-bool is_within(StateSet set, StateSet all) { return set != 0 && (set & ~all) == 0; }
+bool is_within(StateSet set, StateSet all) {
+  return set != 0 && (set & ~all) == 0;
+}
 
 class Groups {
  public:

@@ -39,7 +39,8 @@ Way way_up(const Network& n, const std::multimap<int, int>& rising, int vertex) 
   return out;
 }
 
-std::vector<int> sources_at(const Network& n, const Choices& choices, const std::set<int>& vertices) {
+std::vector<int> sources_at(const Network& n, const Choices& choices,
+                            const std::set<int>& vertices) {
   std::set<int> out;
   for (const ProblemCoedge& c : n.problem.coedges)
     if (choices.role[c.face] == kSourceStates && vertices.contains(c.start)) out.insert(c.face);
@@ -76,9 +77,10 @@ std::optional<Reason> contradicted_pair(const Network& network, const Division& 
     if (wanted.empty()) continue;
     const Way way = way_up(network, rising, c.start);
     const std::vector<int> above = sources_at(network, choices, way.ends);
-    const bool holds = above.empty() || std::ranges::any_of(above, [&](int f) {
-      return std::ranges::find(wanted, network.problem.faces[f].id) != wanted.end();
-    });
+    const bool holds =
+        above.empty() || std::ranges::any_of(above, [&](int f) {
+          return std::ranges::find(wanted, network.problem.faces[f].id) != wanted.end();
+        });
     if (!holds) return contradiction(network, wanted.front(), target, above, way);
   }
   return {};

@@ -56,12 +56,14 @@ Reason no_linking_face(const Network& n) {
     n_shells = std::max(n_shells, face.shell + 1);
     all.push_back(name_of(face.id));
   }
-  std::string text = "No face of this solid can carry a structured grid, so nothing links a source with a target; ";
+  std::string text =
+      "No face of this solid can carry a structured grid, so nothing links a source with a "
+      "target; ";
   text += n_shells == 1 ? "there is one closed shell only"
                         : "its " + std::to_string(n_shells) +
                               " closed shells are not two that map onto each other";
-  return {ReasonKind::topological, text + ". Cut the solid, or split faces where the sweep is to turn.",
-          all};
+  return {ReasonKind::topological,
+          text + ". Cut the solid, or split faces where the sweep is to turn.", all};
 }
 
 Reason face_without_role(const Network& n, int face) {
@@ -75,20 +77,6 @@ Reason face_without_role(const Network& n, int face) {
           entities};
 }
 
-Reason opposed(const Network& n, const OpposedWalls& walls) {
-  const auto name = [&](int e) { return name_of(n.problem.edges[e].id); };
-  std::vector<std::string> entities = {name(walls.other), name(walls.straight)};
-  for (int c : n.problem.edges[walls.other].coedge) {
-    const std::string face = name_of(n.problem.faces[n.problem.coedges[c].face].id);
-    if (std::ranges::find(entities, face) == entities.end()) entities.insert(entities.begin(), face);
-  }
-  return {ReasonKind::geometric,
-          "The wall at " + name(walls.other) + " runs back against the sweep (" +
-              degrees(walls.angle) + " to " + name(walls.straight) +
-              "), so layers would fold over each other. Cut the solid where the wall turns back.",
-          entities};
-}
-
 Reason summary(const Network& n, const Context& context) {
   std::vector<std::string> entities;
   for (int f : cap_only_faces(n, context)) entities.push_back(name_of(n.problem.faces[f].id));
@@ -97,10 +85,12 @@ Reason summary(const Network& n, const Context& context) {
             "No division of the faces into sources, targets and linking faces gives layers "
             "that grow from one end to the other. Cut the solid.",
             {}};
-  return {ReasonKind::topological,
-          joined(entities) + " cannot carry a structured grid and so would have to be sources or targets, but no "
+  return {
+      ReasonKind::topological,
+      joined(entities) +
+          " cannot carry a structured grid and so would have to be sources or targets, but no "
           "such choice leaves faces that link them in layers. Split these faces, or cut the solid.",
-          entities};
+      entities};
 }
 
 }  // namespace
@@ -128,9 +118,10 @@ std::vector<Reason> reasons_in_picks(const SweepProblem& problem, const Picks& p
   std::vector<Reason> out;
   for (FaceId id : sources)
     if (targets.contains(id))
-      out.push_back({ReasonKind::prescribed,
-                     name_of(id) + " is picked as a source and as a target. Leave it in one of them.",
-                     {name_of(id)}});
+      out.push_back(
+          {ReasonKind::prescribed,
+           name_of(id) + " is picked as a source and as a target. Leave it in one of them.",
+           {name_of(id)}});
   if (!out.empty()) return out;
   for (const ProblemEdge& edge : problem.edges) {
     FaceId a = problem.faces[problem.coedges[edge.coedge[0]].face].id;
@@ -139,21 +130,38 @@ std::vector<Reason> reasons_in_picks(const SweepProblem& problem, const Picks& p
     if (sources.contains(a) && targets.contains(b))
       out.push_back({ReasonKind::prescribed,
                      "Source " + name_of(a) + " and target " + name_of(b) + " share " +
-                         name_of(edge.id) + ", where no linking face is between them. Pick other faces.",
+                         name_of(edge.id) +
+                         ", where no linking face is between them. Pick other faces.",
                      {name_of(a), name_of(b), name_of(edge.id)}});
   }
   return out;
+}
+
+Reason reason_of_walls(const Network& n, const OpposedWalls& walls) {
+  const auto name = [&](int e) { return name_of(n.problem.edges[e].id); };
+  std::vector<std::string> entities = {name(walls.other), name(walls.straight)};
+  for (int c : n.problem.edges[walls.other].coedge) {
+    const std::string face = name_of(n.problem.faces[n.problem.coedges[c].face].id);
+    if (std::ranges::find(entities, face) == entities.end())
+      entities.insert(entities.begin(), face);
+  }
+  return {ReasonKind::geometric,
+          "The wall at " + name(walls.other) + " runs back against the sweep (" +
+              degrees(walls.angle) + " to " + name(walls.straight) +
+              "), so layers would fold over each other. Cut the solid where the wall turns back.",
+          entities};
 }
 
 std::vector<Reason> reasons_of_failure(const Network& network, const SearchResult& result,
                                        const Context& context) {
   std::vector<Reason> out;
   if (!result.is_complete)
-    out.push_back({ReasonKind::unsupported,
-                   "The search for sources and targets was given up before all choices were seen. Pick "
-                   "some sources or targets.",
-                   {}});
-  if (result.rejections.walls) out.push_back(opposed(network, *result.rejections.walls));
+    out.push_back(
+        {ReasonKind::unsupported,
+         "The search for sources and targets was given up before all choices were seen. Pick "
+         "some sources or targets.",
+         {}});
+  if (result.rejections.walls) out.push_back(reason_of_walls(network, *result.rejections.walls));
   if (!out.empty()) return out;
   if (cap_only_faces(network, context).size() == network.problem.faces.size())
     return {no_linking_face(network)};
@@ -172,23 +180,24 @@ Reason angle_reason(const Network& network, const Division& division) {
     entities.push_back(name_of(edge.id));
     texts.push_back(name_of(edge.id) + " (" + degrees(edge.mean) + ")");
   }
-  return {ReasonKind::geometric,
-          "The faces could be swept from " +
-              joined(faces_with(network, division.choices, kTargetStates)) + " to " +
-              joined(faces_with(network, division.choices, kSourceStates)) +
-              " only with layers forced over angles that are too far from what the sweep needs, at " +
-              joined(texts) + ". Pick these sources and targets to try, or cut the solid there.",
-          entities};
+  return {
+      ReasonKind::geometric,
+      "The faces could be swept from " +
+          joined(faces_with(network, division.choices, kTargetStates)) + " to " +
+          joined(faces_with(network, division.choices, kSourceStates)) +
+          " only with layers forced over angles that are too far from what the sweep needs, at " +
+          joined(texts) + ". Pick these sources and targets to try, or cut the solid there.",
+      entities};
 }
 
-Reason pick_reason(const Network& network, const std::vector<FaceId>& blamed, const Division& best) {
+Reason pick_reason(const Network& network, const std::vector<FaceId>& blamed,
+                   const Division& best) {
   std::vector<std::string> entities;
   for (FaceId id : blamed) entities.push_back(name_of(id));
   return {ReasonKind::prescribed,
-          "The solid can be swept, but not with " + joined(entities) +
-              " as picked. It can with " + joined(faces_with(network, best.choices, kSourceStates)) +
-              " as sources and " + joined(faces_with(network, best.choices, kTargetStates)) +
-              " as targets.",
+          "The solid can be swept, but not with " + joined(entities) + " as picked. It can with " +
+              joined(faces_with(network, best.choices, kSourceStates)) + " as sources and " +
+              joined(faces_with(network, best.choices, kTargetStates)) + " as targets.",
           entities};
 }
 

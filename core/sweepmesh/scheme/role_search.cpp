@@ -9,10 +9,15 @@ namespace {
 
 constexpr std::array kRoles = {kLinkingStates, kSourceStates, kTargetStates};
 
-bool is_one_role(StateSet role) { return std::ranges::find(kRoles, role) != kRoles.end(); }
+bool is_one_role(StateSet role) {
+  return std::ranges::find(kRoles, role) != kRoles.end();
+}
 
 /// Costs closer than this are equal: a second scheme of the same roles must be better by more.
 constexpr double kTie = 1e-6;
+
+/// What a node of the search takes besides its propagation, in the unit of the effort.
+constexpr long kWorkPerCoedge = 30;
 
 class Search {
  public:
@@ -57,8 +62,9 @@ class Search {
     return best;
   }
 
-  /// Some face is a source. Taking the faces in turn as such, each excludes itself from the caps of what follows: with sources
-  /// and targets alike, all schemes that have it as a cap have been seen.
+  /// Some face is a source. Taking the faces in turn as such, each excludes itself from the caps of
+  /// what follows: with sources and targets alike, all schemes that have it as a cap have been
+  /// seen.
   void from_each_seed(Choices start) {
     std::vector<int> seeds;
     for (bool is_cap_only : {true, false})
@@ -104,6 +110,7 @@ class Search {
   }
 
   void branch_roles(const Choices& choices) {
+    effort_ += kWorkPerCoedge * choices.domain.size();
     if (is_exhausted()) return;
     if (!level_groups(n_, choices)) {
       ++result_.rejections.n_without_levels;
@@ -155,6 +162,7 @@ class Search {
   }
 
   void branch_states(const Choices& choices) {
+    effort_ += kWorkPerCoedge * choices.domain.size();
     if (is_exhausted() || choices.bound > states_limit_) return;
     if (!level_groups(n_, choices)) {
       ++result_.rejections.n_without_levels;

@@ -41,8 +41,8 @@ int reference(const Network& n, const Choices& choices, const std::vector<int>& 
     if (!is_straight(edge)) continue;
     if (out < 0) out = e;
     const ProblemEdge& first = n.problem.edges[out];
-    const double cosine = rise(choices, edge) * rise(choices, first) *
-                          mean_tangent(edge).dot(mean_tangent(first));
+    const double cosine =
+        rise(choices, edge) * rise(choices, first) * mean_tangent(edge).dot(mean_tangent(first));
     if (cosine < kParallel) return -1;
   }
   return out;

@@ -7,12 +7,18 @@
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/surface/cap_map.h"
+#include "sweepmesh/surface/quad_cleanup.h"
+#include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
 namespace {
 
 /// A pair whose worse end is this good is taken without looking at the shape between.
 constexpr double good_enough = 0.55;
+/// One that is worse is a reason to spend more cells.
+constexpr double poor = 0.2;
+/// Cells below this are raised at the cost of others.
+constexpr double worth_raising = 0.7;
 
 using Complex = std::complex<double>;
 
@@ -69,9 +75,9 @@ class PairMesher {
   }
 
   PlanarPair run(const PlanarLoops& second) {
-    for (PlanarMesh& mesh : candidate_meshes(first_, options_, angles_, context_))
-      offer([&] { return carried_on(std::move(mesh)); });
-    if (best_ && worse_end(*best_) >= good_enough) return std::move(*best_);
+    const auto direct = candidate_meshes(first_, options_, angles_, context_);
+    for (const PlanarMesh& mesh : direct) offer([&] { return carried_on(mesh); });
+    if (is_best_at_least(good_enough)) return std::move(*best_);
     const PlanarLoops between = half_way(first_, second);
     if (is_domain(between)) {
       PlanarMeshOptions flat = options_;
@@ -79,6 +85,9 @@ class PairMesher {
       for (const PlanarMesh& mesh : candidate_meshes(between, flat, angles_, context_))
         offer([&] { return carried_both_ways(mesh); });
     }
+    // A hole that is tied to another loop by single cells cannot move: give it a ring of its own.
+    for (const PlanarMesh& mesh : direct)
+      if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
     if (!best_) throw *failure_;
     return std::move(*best_);
   }
@@ -101,8 +110,16 @@ class PairMesher {
     }
   }
 
+  bool is_best_at_least(double value) const { return best_ && worse_end(*best_) >= value; }
+
+  PlanarMesh ringed(const PlanarMesh& mesh) const {
+    const PlanarMesh more = smoothed(with_rings(mesh, first_, angles_), options_.metric, context_);
+    return smoothed(with_regular_valences(more, angles_), options_.metric, context_);
+  }
+
   PlanarPair carried_on(PlanarMesh mesh) const {
     PlanarPair pair;
+    mesh.points = with_worst_raised(mesh, mesh.points, worth_raising, options_.metric, context_);
     pair.first_quality = quality(mesh.points, mesh, options_.metric);
     pair.second = map_planar(mesh, second_, onto_second_, context_).points;
     pair.first = std::move(mesh);
@@ -124,16 +141,16 @@ class PairMesher {
     return pair;
   }
 
-  /// Smooths one end towards regular cells and keeps that where it is better.
+  /// Smooths one end towards regular cells where that is better, and raises the worst cells.
   PlanarQuality settle(const PlanarMesh& cells, std::vector<Point2>& points, const Metric& metric) const {
     const PlanarQuality before = quality(points, cells, metric);
     PlanarMesh there = cells;
     there.points = points;
     there = smoothed(there, metric, context_);
     const PlanarQuality after = quality(there.points, there, metric);
-    if (after.min + 0.5 * after.mean <= before.min + 0.5 * before.mean) return before;
-    points = std::move(there.points);
-    return after;
+    if (after.min + 0.5 * after.mean > before.min + 0.5 * before.mean) points = std::move(there.points);
+    points = with_worst_raised(cells, points, worth_raising, metric, context_);
+    return quality(points, cells, metric);
   }
 
   const PlanarLoops& first_;

@@ -12,6 +12,7 @@
 #include "sweepmesh/surface/mean_value_2d.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_templates.h"
+#include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
 namespace {
@@ -131,7 +132,7 @@ double worst(const std::vector<PlanarMesh>& meshes, const Metric& metric) {
 }
 
 std::vector<PlanarMesh> quad_candidates(const Task& task) {
-  constexpr double poor = 0.2;
+  constexpr double poor = 0.3;
   std::vector<PlanarMesh> out;
   std::optional<SolverError> failure;
   for (const PlanarMesh& pattern : structured_candidates(task.loops, task.options.size))
@@ -139,7 +140,11 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   if (worst(out, task.options.metric) >= good_enough) return out;
   for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms})
     try_to_add([&] { return unstructured(algorithm, task); }, out, failure);
-  if (worst(out, task.options.metric) < poor) try_to_add([&] { return by_halving(task); }, out, failure);
+  if (worst(out, task.options.metric) < poor) {
+    try_to_add([&] { return by_halving(task); }, out, failure);
+    for (std::size_t i = 0, n = out.size(); i < n; ++i)
+      out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
+  }
   if (!out.empty()) return out;
   if (failure) throw *failure;
   throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");
@@ -243,6 +248,8 @@ PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& option
   const auto best = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
     return score(a, options.metric) < score(b, options.metric);
   });
+  constexpr double worth_raising = 0.7;
+  best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);
   std::vector<long> inverted;
   for (int c = 0; c < best->n_cells(); ++c)
     if (scaled_jacobian(best->points, best->cell(c), options.metric) <= 0.0) inverted.push_back(c);
