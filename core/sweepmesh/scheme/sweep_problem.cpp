@@ -12,16 +12,6 @@ namespace {
 /// Away from the ends, where a blend may have no normal, and symmetric.
 constexpr std::array kDihedralFractions = {0.1, 0.3, 0.5, 0.7, 0.9};
 
-double heading(const Model& model, const Coedge& coedge) {
-  const double t = model.at_length_fractions(coedge.edge, {0.5}).front();
-  const Eigen::Matrix<double, 3, 2> d = model.derivatives(coedge.face, model.uv(coedge, t));
-  const Point3 normal = model.normal(coedge.face, model.uv(coedge, t));
-  Point3 tangent = model.tangent(coedge.edge, t);
-  if (coedge.reversed) tangent = -tangent;
-  const Point3 x = d.col(0).normalized();
-  return std::atan2(tangent.dot(normal.cross(x)), tangent.dot(x));
-}
-
 void measure(const Model& model, ProblemEdge& edge) {
   if (edge.is_seam) {
     edge.least = edge.mean = edge.largest = std::numbers::pi;
@@ -70,7 +60,7 @@ void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, 
       c.start = coedge.start.index;
       c.end = coedge.end.index;
       c.angle = model.interior_angle(id, c.loop, c.place);
-      c.heading = heading(model, coedge);
+      c.heading = heading(model, coedge, 0.5);
       c.length = model.length(coedge.edge);
       ProblemEdge& edge = out.edges[c.edge];
       if (edge.coedge[0] < 0) measure_direction(model, coedge, edge);
@@ -84,6 +74,16 @@ void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, 
 }
 
 }  // namespace
+
+double heading(const Model& model, const Coedge& coedge, double fraction) {
+  const auto [first, last] = model.range(coedge.edge);
+  const double t = first + (coedge.reversed ? 1 - fraction : fraction) * (last - first);
+  const Point2 uv = model.uv(coedge, t);
+  const Point3 x = model.derivatives(coedge.face, uv).col(0).normalized();
+  Point3 tangent = model.tangent(coedge.edge, t);
+  if (coedge.reversed) tangent = -tangent;
+  return std::atan2(tangent.dot(model.normal(coedge.face, uv).cross(x)), tangent.dot(x));
+}
 
 SweepProblem sweep_problem(const Model& model, const Context& context) {
   SweepProblem out;

@@ -80,6 +80,10 @@ struct SweepProblem {
 /// of every edge, headings at the middle of every coedge. Cost: a few evaluations an edge.
 SweepProblem sweep_problem(const Model& model, const Context& context);
 
+/// Direction of a coedge in the tangent plane of its face, from d/du, radians in -pi..pi, at a
+/// fraction of the curve's parameter range, counted along the coedge.
+double heading(const Model& model, const Coedge& coedge, double fraction);
+
 /// Numbers the connected groups of faces (ProblemFace::shell); called by sweep_problem.
 void number_shells(SweepProblem& problem);
 
