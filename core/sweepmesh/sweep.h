@@ -9,6 +9,8 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
+#include "sweepmesh/quality/quality.h"
+#include "sweepmesh/scheme/assess.h"
 #include "sweepmesh/scheme/scheme.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
@@ -17,15 +19,14 @@ namespace sweepmesh {
 enum class ElementKind { hex, prism, polyhedron };
 
 struct SweepOptions {
-  /// Wished edge length, > 0 and finite. Empty: a twentieth root of the volume is not asked for;
-  /// the size is chosen so that about 3000 elements result.
+  /// Wished edge length, > 0 and finite. Empty: default_size().
   std::optional<double> size;
   /// Layers from the lowest to the highest level, >= 1. Empty: from the size.
   std::optional<int> layers;
   ElementKind element = ElementKind::hex;
   int order = 1;
   /// The run is refused (InputError that says the count) when more elements than this are to be
-  /// expected.
+  /// expected, >= 1.
   long max_elements = 5'000'000;
 };
 
@@ -33,7 +34,8 @@ struct SweepResult {
   Assessment assessment;  ///< not sweepable: the mesh is empty
   Intervals intervals;
   VolumeMesh mesh;
-  double size = 0.0;  ///< the element size that was used
+  QualityReport quality;  ///< of `mesh`
+  double size = 0.0;      ///< the element size that was used
   std::vector<std::string> warnings;
   std::map<std::string, double>
       seconds;  ///< per stage: assess, imprint, intervals, surface, place, quality
@@ -45,7 +47,7 @@ struct SweepResult {
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context);
 
-/// The verdict alone.
-Assessment assess(const Model& model, const Picks& picks, Context& context);
+/// The size that fills the solid's volume with about 3000 cubes.
+double default_size(const Model& model);
 
 }  // namespace sweepmesh

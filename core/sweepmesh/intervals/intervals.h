@@ -9,8 +9,11 @@ namespace sweepmesh {
 
 /// Vectors are indexed by the whole shape's ids; 0 for edges of other solids.
 struct Intervals {
-  std::vector<int> edge;   ///< mesh edges on a CAD edge; for an axial edge also |k(end) - k(start)|
-  std::vector<int> k;      ///< layer of a vertex on a linking face; -1 where it has none
+  std::vector<int> edge;  ///< mesh edges on a CAD edge; for an axial edge also |k(end) - k(start)|
+  std::vector<int> k;     ///< layer of a vertex on a linking face; -1 where it has none
+  /// By face id, for linking faces one number a loop: i of the loop's first vertex, where that of
+  /// the first loop has i = 0; empty for other faces.
+  std::vector<std::vector<int>> loop_i;
   int n_layers = 0;        ///< highest k; the lowest is 0
   bool is_optimal = true;  ///< false where the solver ran out of time and its best solution is used
 };

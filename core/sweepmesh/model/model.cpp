@@ -5,6 +5,7 @@
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Extrema_ExtPC.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
 #include <ShapeAnalysis_Surface.hxx>
@@ -212,6 +213,22 @@ Point2 Model::project(FaceId f, const Point3& p) const {
   ShapeAnalysis_Surface analysis(BRep_Tool::Surface(face.face));
   const gp_Pnt2d uv = analysis.ValueOfUV(to_gp(p), impl_->tolerances.point);
   return swapped_if(face, Point2(uv.X(), uv.Y()));
+}
+
+double Model::project(EdgeId e, const Point3& p) const {
+  const EdgeRecord& edge = impl_->edges[e.index];
+  // Closest of the ends and of the feet of perpendiculars inside the range.
+  double best = edge.first;
+  double best_distance = (point(e, edge.first) - p).norm();
+  if (const double d = (point(e, edge.last) - p).norm(); d < best_distance)
+    best = edge.last, best_distance = d;
+  const Extrema_ExtPC feet(to_gp(p), edge.curve, impl_->tolerances.point);
+  for (int i = 1; feet.IsDone() && i <= feet.NbExt(); ++i) {
+    const double t = feet.Point(i).Parameter();
+    const double d = std::sqrt(feet.SquareDistance(i));
+    if (d < best_distance && t >= edge.first && t <= edge.last) best = t, best_distance = d;
+  }
+  return best;
 }
 
 double Model::distance(FaceId f, const Point3& p) const {

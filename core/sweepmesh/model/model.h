@@ -96,6 +96,8 @@ class Model {
   std::pair<double, double> range(const Coedge&) const;
   /// Parameters of the face's point closest to `p`, within the surface (not trimmed).
   Point2 project(FaceId, const Point3& p) const;
+  /// Parameter of the edge's point closest to `p`.
+  double project(EdgeId, const Point3& p) const;
   /// Distance of a point to the trimmed face, edge.
   double distance(FaceId, const Point3& p) const;
   double distance(EdgeId, const Point3& p) const;

@@ -9,7 +9,8 @@ namespace {
   throw Error("assemble", sentence);
 }
 
-Extrusion make_extrusion(const std::vector<ColumnNodes>& columns, const std::vector<CellRun>& runs) {
+Extrusion make_extrusion(const std::vector<ColumnNodes>& columns,
+                         const std::vector<CellRun>& runs) {
   Extrusion extrusion;
   for (const ColumnNodes& column : columns)
     extrusion.add_column(column.k_low, column.k_low + static_cast<int>(column.nodes.size()) - 1);

@@ -30,6 +30,14 @@ struct VolumeMesh {
 
   /// Per node: the CAD entity that it lies on; index -1 for a node inside the solid.
   std::vector<Owner> owner;
+
+  /// Second order only (else empty): mid-side nodes in VTK's and Abaqus' order. A hexahedron's: the
+  /// sides of its first ring, of its second, then those from ring to ring. A prism's likewise. A
+  /// boundary polygon's: entry j lies between its nodes j and j + 1, in the rows of
+  /// boundary_offset.
+  std::vector<std::array<int, 12>> hexahedron_mid_nodes;
+  std::vector<std::array<int, 9>> prism_mid_nodes;
+  std::vector<int> boundary_mid_nodes;
 };
 
 }  // namespace sweepmesh

@@ -216,6 +216,18 @@ TEST(Model, nearest_face_and_distance_agree) {
   }
 }
 
+TEST(Model, projection_onto_an_edge_finds_its_own_points) {
+  for (const auto& [name, shape] : family()) {
+    SCOPED_TRACE(name);
+    const Model model = model_of(shape);
+    for (const EdgeId e : model.edges())
+      for (const double t : model.at_length_fractions(e, {0.0, 0.21, 0.5, 0.9, 1.0})) {
+        const Point3 p = model.point(e, t);
+        EXPECT_LT((model.point(e, model.project(e, p)) - p).norm(), 1e-6);
+      }
+  }
+}
+
 TEST(Model, what_is_no_solid_is_refused_in_a_sentence) {
   const auto refuses = [](const TopoDS_Shape& shape, const std::string& part) {
     try {

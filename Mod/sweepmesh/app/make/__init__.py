@@ -1,0 +1,4 @@
+"""Functions that make document objects."""
+from sweepmesh.app.make.make_sweep import make_sweep_mesh, update_sweep_mesh
+
+__all__ = ["make_sweep_mesh", "update_sweep_mesh"]

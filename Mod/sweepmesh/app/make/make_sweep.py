@@ -1,0 +1,52 @@
+"""Make a sweep mesh in a document, and change it."""
+import FreeCAD
+
+from sweepmesh.app.objects.sweep import ORDERS, Sweep, options_of
+from sweepmesh.app.stages import options_for
+
+
+def make_sweep_mesh(shape_object, options=None, analysis=None, name="SweepMesh", **settings):
+    """Mesh the solid of a document object and return the mesh as a new object of its document.
+
+    shape_object  the object with the solid
+    options       an engine's Options, or nothing
+    analysis      a FEM analysis that takes the mesh
+    settings      as for `mesh`: size=2.0, sources=["Face5"], ...; used where no options are given
+
+    The mesh object is computed at once. Where meshing fails it stays, with the reason in its `Message`.
+    """
+    options = options or options_for(shape_object, **settings)
+    obj = shape_object.Document.addObject("Fem::FemMeshObjectPython", name)
+    Sweep(obj)
+    set_options(obj, shape_object, options)
+    if analysis is not None:
+        analysis.addObject(obj)
+    if FreeCAD.GuiUp:
+        from sweepmesh.gui.viewproviders.view_sweep import ViewSweep
+
+        ViewSweep(obj.ViewObject)
+    obj.Document.recompute([obj])
+    return obj
+
+
+def update_sweep_mesh(obj, **settings):
+    """Change settings of a mesh object (those given, see `mesh`) and compute it."""
+    options = options_of(obj)
+    for name, value in vars(options_for(obj.Shape, **settings)).items():
+        if name in settings:
+            setattr(options, name, value)
+    set_options(obj, obj.Shape, options)
+    obj.Document.recompute([obj])
+
+
+def set_options(obj, shape_object, options):
+    """Set the properties of a mesh object to `options` for the solid of `shape_object`."""
+    obj.Shape = shape_object
+    obj.Sources = (shape_object, [f"Face{number}" for number in options.sources])
+    obj.Targets = (shape_object, [f"Face{number}" for number in options.targets])
+    obj.Pairs = [f"Face{source}=Face{target}" for source, target in options.pairs]
+    obj.Size = options.size or 0.0
+    obj.Layers = options.layers or 0
+    obj.Element = options.element
+    obj.Order = ORDERS[options.order - 1]
+    obj.MaxElements = options.max_elements or 0

@@ -1,0 +1,88 @@
+"""The stages of sweep meshing for macros: assess, plan, mesh.
+
+Each takes a document object or a Part shape, and settings by keyword:
+
+    size          wished edge length in mm; none given: chosen from the volume
+    layers        number of layers from the lowest to the highest cap; none given: from the size
+    element       "hex", "prism" or "polyhedron"
+    order         1 or 2
+    sources       faces from which the mesh is swept; none given: found
+    targets       faces on which it ends; none given: found
+    pairs         [(source, target), ...]: this source is to be swept to this target
+    threads       0: all processors
+    max_elements  refuse meshes that would have more
+
+A face is a name ("Face7"), a number (7), a Part.Face, or a point on it: (x, y, z).
+"""
+from dataclasses import dataclass, field
+
+from sweepmesh import engine
+from sweepmesh.app.shapes import brep_of, face_number
+
+
+@dataclass
+class Plan:
+    """What a mesh would be made of; `print` it, change it, hand it to `mesh`."""
+
+    brep: str = field(repr=False)
+    options: object
+    assessment: object
+
+    @property
+    def is_sweepable(self):
+        return self.assessment.verdict == "sweepable"
+
+    @property
+    def roles(self):
+        """{"Face1": "source", ...} as picked and found."""
+        return self.assessment.roles
+
+    def faces(self, role):
+        """Return the names of the faces with a role ("source", "target", "linking"), by number."""
+        return faces_with(self.roles, role)
+
+    def __str__(self):
+        if not self.is_sweepable:
+            return "\n".join(["Not sweepable."] + [f"  {reason.text}" for reason in self.assessment.reasons])
+        return "\n".join(f"{role:8} {' '.join(self.faces(role))}" for role in ("source", "target", "linking"))
+
+
+def faces_with(roles, role):
+    """Return the names of the faces that have `role` in {"Face1": role, ...}, by number."""
+    return sorted((face for face, its in roles.items() if its == role), key=lambda name: int(name[4:]))
+
+
+def options_for(source, **settings):
+    """Return the engine's Options for `source` from keyword settings (see the module's text)."""
+    for name in ("sources", "targets"):
+        if name in settings:
+            settings[name] = [face_number(source, face) for face in settings[name] or []]
+    if "pairs" in settings:
+        settings["pairs"] = [tuple(face_number(source, face) for face in pair) for pair in settings["pairs"] or []]
+    return engine.Options(**settings)
+
+
+def assess(source, **settings):
+    """Say whether a solid can be swept: `.verdict`, `.reasons`, `.roles` of the faces, other `.schemes`."""
+    return engine.assess(brep_of(source), options_for(source, **settings))
+
+
+def plan(source, **settings):
+    """Return the `Plan` for a mesh: the settings with sources and targets as picked and, otherwise, found."""
+    brep, options = brep_of(source), options_for(source, **settings)
+    assessment = engine.assess(brep, options)
+    if assessment.verdict == "sweepable":
+        options.sources = [int(name[4:]) for name in faces_with(assessment.roles, "source")]
+        options.targets = [int(name[4:]) for name in faces_with(assessment.roles, "target")]
+    return Plan(brep, options, assessment)
+
+
+def mesh(source, progress=None, **settings):
+    """Mesh a solid, a shape or a `Plan` and return the engine's `Result` (points, hexahedra, quality, ...).
+
+    Raises the engine's `SweepMeshError`; a solid that cannot be swept is no error but a `Result` without
+    elements whose `.assessment` says why. `to_femmesh(result)` makes a `Fem.FemMesh` of it.
+    """
+    if isinstance(source, Plan):
+        return engine.mesh(source.brep, source.options, progress)
+    return engine.mesh(brep_of(source), options_for(source, **settings), progress)

@@ -1,0 +1,144 @@
+"""The command line from arguments to exit status."""
+
+import json
+import os
+import sys
+import time
+
+from sweepmesh import engine, output
+from sweepmesh.cli import report as reports
+from sweepmesh.cli import shapes
+from sweepmesh.cli.arguments import make_parser
+from sweepmesh.cli.progress import progress_bar
+
+DONE, FAILED, UNSWEEPABLE = 0, 1, 2
+"""Exit statuses."""
+
+NO_LIMIT = 2**31 - 1
+"""Elements at most with --force: connectivity is of 32 bits."""
+
+
+def main(arguments=None):
+    """Runs the command line and ends the process with its exit status."""
+    try:
+        status = _run(make_parser().parse_args(arguments))
+    except engine.SweepMeshError as error:
+        status = _fail(str(error))
+    except KeyboardInterrupt:
+        status = _fail("Interrupted; files that were not finished are not left behind.")
+    except BrokenPipeError:
+        sys.stdout = None
+        status = FAILED
+    except MemoryError:
+        status = _fail("There is not enough memory for this mesh: choose a larger size.")
+    _leave(status)
+
+
+def _run(arguments):
+    """Does what the arguments say; returns the exit status."""
+    started = time.perf_counter()
+    for path in arguments.out:
+        output.check_path(path)
+    state = {"assessment": None, "result": None, "seconds": {}}
+    try:
+        _work(arguments, state)
+    except engine.SweepMeshError as error:
+        _write_report(arguments.report, error=error, **state)
+        raise
+    state["seconds"]["total"] = time.perf_counter() - started
+    report = _write_report(arguments.report, **state)
+    is_sweepable = state["assessment"].is_sweepable
+    if not arguments.quiet:
+        print(reports.text_of(report))
+    elif not is_sweepable:
+        print(reports.text_of(report), file=sys.stderr)
+    return DONE if is_sweepable else UNSWEEPABLE
+
+
+def _work(arguments, state):
+    """Reads, assesses or meshes, and writes; what is known goes into `state` as soon as it is."""
+    seconds = state["seconds"]
+    with progress_bar(not arguments.quiet) as progress:
+        with _timed(seconds, "read"):
+            shape = shapes.read_shape(arguments.shape, arguments.object, arguments.solid)
+        for warning in shape.warnings:
+            _warn(warning)
+        options = make_options(arguments, shape.model)
+        if arguments.assess:
+            with _timed(seconds, "assess"):
+                state["assessment"] = engine.assess(shape.model, options, progress)
+            return
+        result = engine.mesh(shape.model, options, progress)
+    state.update(result=result, assessment=result.assessment)
+    for warning in result.warnings:
+        _warn(warning)
+    with _timed(seconds, "write"):
+        if result.assessment.is_sweepable:
+            _write_files(arguments.out, result, shape, options)
+
+
+def make_options(arguments, model):
+    """The engine's Options from the arguments."""
+    return engine.Options(
+        size=arguments.size,
+        layers=arguments.layers,
+        element=arguments.element,
+        order=arguments.order,
+        threads=arguments.threads,
+        max_elements=NO_LIMIT if arguments.force else None,
+        sources=[shapes.face_number(model, face) for face in arguments.source],
+        targets=[shapes.face_number(model, face) for face in arguments.target],
+        pairs=[shapes.face_pair(model, pair) for pair in arguments.pair],
+    )
+
+
+def _write_files(paths, result, shape, options):
+    for path in paths:
+        is_document = path.lower().endswith(".fcstd")
+        made = shapes.document_object(shape) if is_document else None
+        output.write(result, path, made, options)
+
+
+def _write_report(path, **state):
+    report = reports.make_report(**state)
+    if path:
+        try:
+            with output.replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
+                json.dump(report, file, indent=1)
+                file.write("\n")
+        except OSError as error:
+            raise engine.InputError(f"The report {path} cannot be written: {error.strerror}.") from error
+    return report
+
+
+class _timed:
+    """Adds the time that a block takes to seconds[stage]."""
+
+    def __init__(self, seconds, stage):
+        self._seconds, self._stage = seconds, stage
+
+    def __enter__(self):
+        self._started = time.perf_counter()
+
+    def __exit__(self, *_exception):
+        self._seconds[self._stage] = time.perf_counter() - self._started
+
+
+def _warn(sentence):
+    print(f"sweepmesh: warning: {sentence}", file=sys.stderr)
+
+
+def _fail(sentence):
+    print(f"sweepmesh: {sentence}", file=sys.stderr)
+    return FAILED
+
+
+def _leave(status):
+    """Ends the process at once: an interrupted worker may still run, and FreeCAD's exit hooks are slow."""
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            if stream:
+                stream.flush()
+        except BrokenPipeError:
+            pass
+    os._exit(status)

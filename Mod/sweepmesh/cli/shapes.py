@@ -1,0 +1,150 @@
+"""From SHAPE on the command line to a Model, and from FACE to the number of a face."""
+
+import contextlib
+import dataclasses
+import os
+import pathlib
+import re
+from typing import Any, List
+
+from sweepmesh.engine import Model, read
+from sweepmesh.engine.errors import input_error
+from sweepmesh.freecad import import_freecad
+
+MESH_SUFFIXES = {".stl", ".obj", ".ply", ".off", ".3mf", ".amf", ".vtk", ".vtu", ".msh", ".inp", ".unv", ".med"}
+
+POINT_TOLERANCE = 1e-3
+"""A point that names a face may be this far from it, as a fraction of the model's size."""
+
+
+@dataclasses.dataclass
+class Shape:
+    """A shape that was read."""
+
+    model: Model
+    path: pathlib.Path
+    document_object: Any = None
+    """FreeCAD's object where the shape came from a document."""
+    warnings: List[str] = dataclasses.field(default_factory=list)
+
+
+def read_shape(path, object_name=None, solid=1):
+    """Reads SHAPE; `solid` counts from 1. Raises InputError."""
+    path = pathlib.Path(path)
+    if solid < 1:
+        raise input_error("Solids are counted from 1: --solid 1 is the first.")
+    if path.suffix.lower() in MESH_SUFFIXES:
+        raise input_error(f"{path} is a mesh, not a CAD solid: give a STEP, IGES, BREP or FCStd file.")
+    is_document = path.suffix.lower() == ".fcstd"
+    if object_name and not is_document:
+        raise input_error(f"--object names an object of an .FCStd file, which {path} is not.")
+    with _muted():
+        if is_document:
+            shape = _read_document(path, object_name, solid)
+        else:
+            shape = Shape(read(path, solid - 1), path)
+    if shape.model.n_solids > 1:
+        shape.warnings.append(f"{path} has {shape.model.n_solids} solids; solid {solid} is used.")
+    return shape
+
+
+@contextlib.contextmanager
+def _muted():
+    """Keeps what OpenCASCADE and FreeCAD print while they read away from standard output."""
+    kept = os.dup(1)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 1)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+        os.close(nowhere)
+
+
+def _read_document(path, object_name, solid):
+    if not path.is_file():
+        raise input_error(f"There is no file {path}.")
+    freecad = import_freecad()
+    try:
+        document = freecad.openDocument(str(path), True)
+    except Exception as error:  # FreeCAD raises various types for a broken file
+        reason = " ".join(str(error).split()).rstrip(" .")
+        raise input_error(f"{path} cannot be read as a FreeCAD document: {reason}.") from error
+    chosen, warnings = _choose_object(document, path, object_name)
+    model = Model.from_brep(chosen.Shape.exportBrepToString(), solid - 1)
+    return Shape(model, path, chosen, warnings)
+
+
+def _choose_object(document, path, name):
+    """The object to mesh, and warnings about the choice."""
+    if name:
+        found = document.getObject(name) or next(iter(document.getObjectsByLabel(name)), None)
+        if found is None:
+            raise input_error(f"{path} has no object {name}.")
+        if not _has_solid(found):
+            raise input_error(f"The object {name} ({found.TypeId}) of {path} is no solid.")
+        return found, []
+    solids = [item for item in document.Objects if _has_solid(item)]
+    results = [item for item in solids if not any(_has_solid(user) for user in item.InList)]
+    if not results:
+        others = ", ".join(f"{item.Name} ({item.TypeId})" for item in document.Objects[:5])
+        raise input_error(f"{path} holds no solid" + (f", only {others}." if others else "."))
+    if len(results) == 1:
+        return results[0], []
+    names = ", ".join(item.Name for item in results)
+    return results[0], [f"{path} has the solids {names}; {results[0].Name} is used (see --object)."]
+
+
+def _has_solid(item):
+    shape = getattr(item, "Shape", None)
+    return bool(shape is not None and getattr(shape, "Solids", None))
+
+
+def face_number(model, text):
+    """The number of the face that FACE names: "Face7" or a point "x,y,z" on it."""
+    name = re.fullmatch(r"Face(\d+)", text.strip())
+    if name:
+        number = int(name[1])
+        if not 1 <= number <= model.n_faces:
+            raise input_error(
+                f"The shape has no {text}: its faces are Face1 to Face{model.n_faces}.", "assess", [text]
+            )
+        return number
+    try:
+        point = [float(part) for part in text.split(",")]
+    except ValueError:
+        point = []
+    if len(point) != 3 or any(abs(part) == float("inf") or part != part for part in point):
+        raise input_error(f"'{text}' names no face: give a name as Face7 or a point as 1.5,0,20.")
+    face = model.nearest_face(point)
+    distance = model.distance_to_face(face, point)
+    if distance > POINT_TOLERANCE * model.model_size:
+        raise input_error(
+            f"The point {text} lies on no face: the nearest, Face{face + 1}, is {distance:.4g} away.",
+            "assess",
+            [f"Face{face + 1}"],
+        )
+    return face + 1
+
+
+def face_pair(model, text):
+    """The numbers (source, target) of SOURCE=TARGET."""
+    parts = text.split("=")
+    if len(parts) != 2:
+        raise input_error(f"'{text}' is no pair: give it as Face3=Face5.")
+    return face_number(model, parts[0]), face_number(model, parts[1])
+
+
+def document_object(shape):
+    """FreeCAD's object for a shape; one in a new document where the shape came from another file."""
+    if shape.document_object is not None:
+        return shape.document_object
+    freecad = import_freecad()
+    import Part
+
+    document = freecad.newDocument("SweepMesh", hidden=True, temp=True)
+    made = document.addObject("Part::Feature", re.sub(r"\W", "_", shape.path.stem))
+    made.Label = shape.path.stem
+    made.Shape = Part.read(str(shape.path))
+    return made

@@ -1,0 +1,34 @@
+"""Assess and mesh solids: plain values in, plain values out (no FreeCAD, no Qt)."""
+
+from sweepmesh.engine._sweepmesh import __version__
+from sweepmesh.engine.errors import (
+    Cancelled,
+    InputError,
+    InvalidMeshError,
+    SolverError,
+    SweepMeshError,
+)
+from sweepmesh.engine.model import Model, face_at, read
+from sweepmesh.engine.options import Options
+from sweepmesh.engine.progress import Progress
+from sweepmesh.engine.results import Assessment, Reason, Result
+from sweepmesh.engine.stages import assess, mesh
+
+__all__ = [
+    "Assessment",
+    "Cancelled",
+    "InputError",
+    "InvalidMeshError",
+    "Model",
+    "Options",
+    "Progress",
+    "Reason",
+    "Result",
+    "SolverError",
+    "SweepMeshError",
+    "__version__",
+    "assess",
+    "face_at",
+    "mesh",
+    "read",
+]

@@ -1,0 +1,23 @@
+"""The errors that the engine raises; the classes are made by the C++ module, which raises them too.
+
+Each has `stage` ("read", "assess", "intervals", ...) and `entities` ("Face7", ...); the text is one whole
+sentence for the user. InvalidMeshError has `elements` besides, the indices of those that stay inverted.
+"""
+
+from sweepmesh.engine._sweepmesh import (
+    Cancelled,
+    InputError,
+    InvalidMeshError,
+    SolverError,
+    SweepMeshError,
+)
+
+__all__ = ["Cancelled", "InputError", "InvalidMeshError", "SolverError", "SweepMeshError", "input_error"]
+
+
+def input_error(sentence, stage="read", entities=()):
+    """An InputError of the given stage, ready to be raised."""
+    error = InputError(sentence)
+    error.stage = stage
+    error.entities = list(entities)
+    return error

@@ -1,0 +1,31 @@
+"""Finding FreeCAD from an ordinary Python."""
+
+import glob
+import os
+import sys
+
+from sweepmesh.engine.errors import SweepMeshError
+
+_FOLDERS = [
+    "/usr/lib/freecad-python3/lib",
+    "/usr/lib/freecad/lib",
+    "/usr/share/freecad/Ext",
+    "/usr/share/freecad/Mod",
+    *sorted(glob.glob("/usr/share/freecad/Mod/*")),
+]
+
+
+def import_freecad():
+    """The module FreeCAD, with its workbenches importable. SweepMeshError where it is not installed.
+
+    Inside FreeCAD it is there already. Elsewhere FREECAD_LIB may name the folder of FreeCAD.so, besides
+    the places where Linux distributions put it.
+    """
+    if "FreeCAD" not in sys.modules:
+        own = [os.environ["FREECAD_LIB"]] if "FREECAD_LIB" in os.environ else []
+        sys.path.extend(folder for folder in own + _FOLDERS if folder not in sys.path)
+    try:
+        import FreeCAD
+    except ImportError as error:
+        raise SweepMeshError("FreeCAD's Python modules are not installed (Debian: apt install freecad).") from error
+    return FreeCAD

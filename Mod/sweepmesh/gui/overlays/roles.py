@@ -1,0 +1,92 @@
+"""Faces of a shape coloured by what they are in the sweep."""
+from pivy import coin
+
+COLOURS = {
+    "source": (1.0, 0.55, 0.15),
+    "target": (0.20, 0.50, 1.0),
+    "linking": (0.80, 0.86, 0.68),
+}
+_GLOW = 0.2  # part of the colour that needs no light, so that it can be told from all sides
+_BETWEEN = 0.5  # polygon offset: before the shape's faces (1), behind its edges (0)
+_DEVIATION = 0.002  # of the facets, as part of the shape's diagonal; for drawing only
+
+
+class RoleOverlay:
+    """Draws coloured faces over a document object's own; the object is not changed."""
+
+    def __init__(self, obj):
+        self._root = obj.ViewObject.RootNode
+        self._separator = _unpickable_separator()
+        self._faces = {}
+        for name, facets in _facets_of_faces(obj).items():
+            self._faces[name] = _Face(facets)
+            self._separator.addChild(self._faces[name].switch)
+        self._roles, self._uncovered = {}, ()
+        self._root.addChild(self._separator)
+
+    def set_roles(self, roles):
+        """Colour the faces of {"Face1": "source", ...}; a face without a role keeps its own colour."""
+        self._roles = dict(roles)
+        self._draw()
+
+    def uncover(self, names):
+        """Leave these faces to the shape's own colours: FreeCAD shows there what is selected."""
+        self._uncovered = tuple(names)
+        self._draw()
+
+    def remove(self):
+        """Take the overlay out of the view, for good."""
+        index = self._root.findChild(self._separator)
+        if index >= 0:
+            self._root.removeChild(index)
+
+    def _draw(self):
+        for name, face in self._faces.items():
+            face.show(None if name in self._uncovered else COLOURS.get(self._roles.get(name)))
+
+
+class _Face:
+    def __init__(self, facets):
+        self.switch, self._material = coin.SoSwitch(), coin.SoMaterial()
+        group = coin.SoSeparator()
+        for node in (self._material, *_face_set(*facets)):
+            group.addChild(node)
+        self.switch.addChild(group)
+        self.switch.whichChild = coin.SO_SWITCH_NONE
+
+    def show(self, colour):
+        """Draw the face in a colour, or not at all for None."""
+        if colour:
+            self._material.diffuseColor = colour
+            self._material.emissiveColor = [_GLOW * part for part in colour]
+        self.switch.whichChild = coin.SO_SWITCH_ALL if colour else coin.SO_SWITCH_NONE
+
+
+def _unpickable_separator():
+    separator = coin.SoSeparator()
+    style = coin.SoPickStyle()
+    style.style = coin.SoPickStyle.UNPICKABLE
+    offset = coin.SoPolygonOffset()
+    offset.factor, offset.units = _BETWEEN, _BETWEEN
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    for node in (style, offset, hints):
+        separator.addChild(node)
+    return separator
+
+
+def _facets_of_faces(obj):
+    """{"Face1": (points, triangles)} in the object's own coordinates: its node places them."""
+    shape = obj.Shape.copy()
+    shape.Placement = obj.Placement.inverse().multiply(shape.Placement)
+    deviation = _DEVIATION * shape.BoundBox.DiagonalLength
+    return {f"Face{i}": face.tessellate(deviation) for i, face in enumerate(shape.Faces, 1)}
+
+
+def _face_set(points, triangles):
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, len(points), [tuple(point) for point in points])
+    indices = [index for triangle in triangles for index in (*triangle, -1)]
+    faces = coin.SoIndexedFaceSet()
+    faces.coordIndex.setValues(0, len(indices), indices)
+    return coordinates, faces

@@ -1,0 +1,139 @@
+"""The lists of sources and targets of a panel, and picking them in the 3D view."""
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from sweepmesh.app.stages import faces_with
+from sweepmesh.gui.selection import FaceGate
+
+ROLES = ("source", "target")
+
+
+class FaceLists(QtCore.QObject):
+    """Picked and proposed sources and targets. Picks are upright, proposals in italics.
+
+    While one of the buttons is down, a click on a face picks it, and a second click unpicks it. Otherwise the
+    lists and the selection in the 3D view follow each other. `changed` says that the picks have changed,
+    `selected` which faces of the shape are selected now.
+    """
+
+    changed = QtCore.Signal()
+    selected = QtCore.Signal(list)
+
+    def __init__(self, form, obj):
+        super().__init__()
+        self._obj = obj
+        self._lists = {"source": form.sources, "target": form.targets}
+        self._buttons = {"source": form.pickSources, "target": form.pickTargets}
+        self._is_selecting = False
+        self.picks = {role: [] for role in ROLES}
+        for role in ROLES:
+            self._buttons[role].toggled.connect(lambda down, role=role: self._set_picking(role, down))
+            self._lists[role].itemSelectionChanged.connect(lambda role=role: self._select_rows(role))
+        form.removeFaces.clicked.connect(self._remove_rows)
+        form.swapFaces.clicked.connect(self.swap)
+        FreeCADGui.Selection.addObserver(self)
+
+    def close(self):
+        FreeCADGui.Selection.removeObserver(self)
+        FreeCADGui.Selection.removeSelectionGate()
+
+    def set_picks(self, sources, targets):
+        """Replace all picks by names of faces."""
+        self.picks = {"source": list(sources), "target": list(targets)}
+        self.changed.emit()
+
+    def swap(self):
+        self.set_picks(self._shown("target"), self._shown("source"))
+
+    def show_roles(self, roles):
+        """Fill the lists: the picks, then what `roles` adds to them."""
+        for role in ROLES:
+            rows = self._lists[role]
+            rows.blockSignals(True)
+            rows.clear()
+            found = [name for name in faces_with(roles, role) if name not in self.picks[role]]
+            for name in self.picks[role]:
+                rows.addItem(QtGui.QListWidgetItem(name))
+            for name in found:
+                rows.addItem(_proposal(name))
+            rows.blockSignals(False)
+
+    def toggle(self, role, name):
+        """Pick a face for a role, or unpick it; a face has one role."""
+        is_picked = name in self.picks[role]
+        for picked in self.picks.values():
+            if name in picked:
+                picked.remove(name)
+        if not is_picked:
+            self.picks[role].append(name)
+        self.changed.emit()
+
+    def addSelection(self, document, obj, sub, point):
+        """FreeCAD calls this when something was selected in the 3D view or in the tree."""
+        self._tell_selected()
+        is_own = (document, obj) == (self._obj.Document.Name, self._obj.Name)
+        if self._is_selecting or not is_own or not sub.startswith("Face"):
+            return
+        role = self._picking_role()
+        if role:
+            self.toggle(role, sub)
+            QtCore.QTimer.singleShot(0, FreeCADGui.Selection.clearSelection)
+        else:
+            self._mark_rows(sub)
+
+    def removeSelection(self, document, obj, sub):
+        """FreeCAD calls this when something is selected no more."""
+        self._tell_selected()
+
+    def clearSelection(self, document):
+        """FreeCAD calls this when nothing is selected any more."""
+        self.selected.emit([])
+
+    def _tell_selected(self):
+        chosen = FreeCADGui.Selection.getSelectionEx(self._obj.Document.Name)
+        self.selected.emit([name for one in chosen if one.Object == self._obj for name in one.SubElementNames])
+
+    def _picking_role(self):
+        return next((role for role in ROLES if self._buttons[role].isChecked()), None)
+
+    def _set_picking(self, role, down):
+        other = ROLES[1 - ROLES.index(role)]
+        if down:
+            self._buttons[other].setChecked(False)
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelectionGate(FaceGate(self._obj))
+        elif not self._buttons[other].isChecked():
+            FreeCADGui.Selection.removeSelectionGate()
+
+    def _shown(self, role):
+        rows = self._lists[role]
+        return [rows.item(i).text() for i in range(rows.count())]
+
+    def _select_rows(self, role):
+        names = [item.text() for item in self._lists[role].selectedItems()]
+        self._is_selecting = True
+        FreeCADGui.Selection.clearSelection()
+        for name in names:
+            FreeCADGui.Selection.addSelection(self._obj, name)
+        self._is_selecting = False
+
+    def _mark_rows(self, name):
+        for rows in self._lists.values():
+            rows.blockSignals(True)
+            for i in range(rows.count()):
+                rows.item(i).setSelected(rows.item(i).text() == name)
+            rows.blockSignals(False)
+
+    def _remove_rows(self):
+        for role in ROLES:
+            chosen = [item.text() for item in self._lists[role].selectedItems()]
+            self.picks[role] = [name for name in self.picks[role] if name not in chosen]
+        self.changed.emit()
+
+
+def _proposal(name):
+    item = QtGui.QListWidgetItem(name)
+    font = item.font()
+    font.setItalic(True)
+    item.setFont(font)
+    return item

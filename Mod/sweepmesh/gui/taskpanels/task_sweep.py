@@ -1,0 +1,252 @@
+"""The task panel that makes or edits a sweep mesh."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from sweepmesh import engine
+from sweepmesh.app.objects.sweep import options_of
+from sweepmesh.app.remembered import remember
+from sweepmesh.app.shapes import brep_of, proposed_size
+from sweepmesh.app.stages import faces_with, options_for
+from sweepmesh.gui import recorder
+from sweepmesh.gui.overlays.roles import RoleOverlay
+from sweepmesh.gui.resources import icon, load_form, tr
+from sweepmesh.gui.runner import STOP_SECONDS, Runner
+from sweepmesh.gui.taskpanels.face_lists import FaceLists
+
+ELEMENTS = ("hex", "prism")  # what FreeCAD's FEM meshes hold
+
+
+class SweepPanel:
+    """Sources, targets and settings with a live proposal; OK meshes in a thread and then stores.
+
+    `shape` is the object with the solid, `faces` the names of faces picked before; `mesh` is the mesh object
+    to edit, none to make one. Nothing in the document changes before a mesh stands.
+    """
+
+    def __init__(self, shape, faces=(), mesh=None):
+        self._shape, self._mesh, self._document_name = shape, mesh, shape.Document.Name
+        self._schemes = []
+        self.form = load_form("Sweep")
+        self.form.setWindowTitle(tr("Sweep mesh"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("Sweep")))
+        self._overlay = RoleOverlay(shape)
+        self._faces = FaceLists(self.form, shape)
+        self._assessor, self._mesher = Runner(), Runner()
+        self._connect()
+        self.load(faces)
+        FreeCAD.addDocumentObserver(self)
+
+    # --- settings -------------------------------------------------------------------------------------
+
+    def load(self, faces):
+        """Show the settings of the mesh object, or those to start with."""
+        form = self.form
+        form.shapeName.setText(self._shape.Label)
+        options = options_of(self._mesh) if self._mesh else engine.Options(size=proposed_size(self._shape))
+        form.meshSize.setProperty("rawValue", options.size or 0.0)
+        form.layerCount.setValue(options.layers or 0)
+        form.elementKind.setCurrentIndex(ELEMENTS.index(options.element) if options.element in ELEMENTS else 0)
+        form.elementOrder.setCurrentIndex(options.order - 1)
+        if self._mesh:
+            sources, targets = _names(options.sources), _names(options.targets)
+        else:
+            sources, targets = _split(faces)
+        self._faces.set_picks(sources, targets)
+
+    def settings(self):
+        """Return the settings of the form by the names that `make_sweep_mesh` takes."""
+        form = self.form
+        return {
+            "size": form.meshSize.property("rawValue") or None,
+            "layers": form.layerCount.value() or None,
+            "element": ELEMENTS[form.elementKind.currentIndex()],
+            "order": form.elementOrder.currentIndex() + 1,
+            "sources": list(self._faces.picks["source"]),
+            "targets": list(self._faces.picks["target"]),
+        }
+
+    def _connect(self):
+        form = self.form
+        form.elementKind.addItems([tr("Hexahedra"), tr("Prisms")])
+        form.elementOrder.addItems([tr("First"), tr("Second")])
+        self._faces.changed.connect(self.assess)
+        self._faces.selected.connect(self._overlay.uncover)
+        form.propose.clicked.connect(lambda: self._faces.set_picks([], []))
+        form.schemes.activated.connect(self._choose_scheme)
+        form.showRoles.toggled.connect(self._show_overlay)
+        form.reasons.itemSelectionChanged.connect(self._select_entities)
+        form.stop.clicked.connect(self._mesher.cancel)
+        self._assessor.succeeded.connect(self._show_assessment)
+        self._assessor.failed.connect(self._show_error)
+        self._mesher.progressed.connect(self._show_progress)
+        self._mesher.succeeded.connect(self._store)
+        self._mesher.failed.connect(self._mesh_failed)
+        self._show_running(False)
+
+    # --- the proposal ---------------------------------------------------------------------------------
+
+    def assess(self):
+        """Start to find out what the picks make of the solid."""
+        self._faces.show_roles({})
+        self.form.verdict.setText(tr("Looking for sources and targets ..."))
+        try:
+            brep, options = self._task()
+        except engine.SweepMeshError as error:
+            self._show_error(error)
+            return
+        self._assessor.start(lambda progress: engine.assess(brep, options, progress))
+
+    def _show_assessment(self, assessment):
+        self._schemes = assessment.schemes
+        self._faces.show_roles(assessment.roles)
+        self._show_overlay()
+        self._show_reasons([(reason.text, reason.entities) for reason in assessment.reasons])
+        is_sweepable = assessment.verdict == "sweepable"
+        self.form.verdict.setText(tr("The solid can be swept.") if is_sweepable else tr("The solid cannot be swept."))
+        self.form.schemes.clear()
+        self.form.schemes.addItems([_scheme_text(scheme) for scheme in self._schemes])
+        self.form.schemes.setVisible(len(self._schemes) > 1)
+
+    def _choose_scheme(self, index):
+        scheme = self._schemes[index]
+        self._faces.set_picks(faces_with(scheme, "source"), faces_with(scheme, "target"))
+
+    def _show_overlay(self, *_):
+        roles = self._schemes[0] if self._schemes and self.form.showRoles.isChecked() else {}
+        self._overlay.set_roles(roles)
+
+    def _show_error(self, error):
+        self._schemes = []
+        self._show_overlay()
+        self.form.verdict.setText(tr("No mesh can be made:"))
+        self._show_reasons([(str(error), list(getattr(error, "entities", ())))])
+
+    def _show_reasons(self, reasons):
+        self.form.reasons.clear()
+        for text, entities in reasons:
+            item = QtGui.QListWidgetItem(text)
+            item.setToolTip(", ".join(entities))
+            item.setData(QtCore.Qt.UserRole, list(entities))
+            self.form.reasons.addItem(item)
+        self.form.reasons.setVisible(bool(reasons))
+
+    def _select_entities(self):
+        FreeCADGui.Selection.clearSelection()
+        for item in self.form.reasons.selectedItems():
+            for entity in item.data(QtCore.Qt.UserRole):
+                FreeCADGui.Selection.addSelection(self._shape, entity)
+
+    # --- the run --------------------------------------------------------------------------------------
+
+    def accept(self):
+        """OK: start the run. The panel closes itself when the mesh stands, and stays with the reason if not."""
+        if self._mesher.is_running():
+            return False
+        try:
+            brep, options = self._task()
+        except engine.SweepMeshError as error:
+            self._show_error(error)
+            return False
+        self._show_running(True)
+        self._mesher.start(lambda progress: (brep, options, engine.mesh(brep, options, progress)))
+        return False
+
+    def reject(self):
+        """Cancel: stop what runs and leave the document as it is."""
+        self._close()
+        return True
+
+    def _task(self):
+        settings = self.settings()
+        return brep_of(self._shape), options_for(self._shape, **settings)
+
+    def _show_running(self, is_running):
+        for name in ("facesBox", "meshBox"):
+            getattr(self.form, name).setEnabled(not is_running)
+        self.form.running.setVisible(is_running)
+
+    def _show_progress(self, fraction, message):
+        self.form.progress.setValue(round(100 * fraction))
+        self.form.progress.setFormat(f"{message} %p %" if message else "%p %")
+
+    def _mesh_failed(self, error):
+        self._show_running(False)
+        if isinstance(error, engine.Cancelled):
+            self.form.verdict.setText(tr("The run was cancelled; nothing was changed."))
+        else:
+            self._show_error(error)
+
+    def _store(self, outcome):
+        brep, options, result = outcome
+        self._show_running(False)
+        if result.assessment.verdict != "sweepable":
+            self._show_assessment(result.assessment)
+            return
+        remember(brep, options, result)
+        title, lines = self._lines()
+        recorder.run(self._shape.Document, title, lines)
+        self._close()
+
+    def _lines(self):
+        """What OK does, as recorded Python."""
+        settings = self.settings()
+        if self._mesh:
+            changed = recorder.arguments(_changes(options_of(self._mesh), settings))
+            arguments = [recorder.reference(self._mesh), *changed]
+            return tr("Edit sweep mesh"), [f"sweepmesh.app.update_sweep_mesh({', '.join(arguments)})"]
+        shape = recorder.reference(self._shape)
+        arguments = [shape, *recorder.arguments(_changes(engine.Options(), settings))]
+        analysis = recorder.active_analysis(self._shape.Document)
+        if analysis:
+            arguments.append(f"analysis={recorder.reference(analysis)}")
+        lines = [f"mesh = sweepmesh.app.make_sweep_mesh({', '.join(arguments)})", f"{shape}.Visibility = False"]
+        return tr("Create sweep mesh"), lines
+
+    # --- the end --------------------------------------------------------------------------------------
+
+    def _close(self):
+        """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
+        FreeCAD.removeDocumentObserver(self)
+        self._assessor.close()
+        self._mesher.close(wait=STOP_SECONDS)
+        self._faces.close()
+        self._overlay.remove()
+        QtCore.QTimer.singleShot(0, _leave_edit_and_close)
+
+    def slotDeletedDocument(self, document):
+        """FreeCAD calls this when a document is about to be closed."""
+        if document.Name == self._document_name:
+            self._close()
+
+    def slotDeletedObject(self, obj):
+        """FreeCAD calls this when an object is about to be deleted."""
+        if obj in (self._shape, self._mesh):
+            self._close()
+
+
+def _leave_edit_and_close():
+    document = FreeCADGui.activeDocument()
+    if document and document.getInEdit():
+        document.resetEdit()
+    FreeCADGui.Control.closeDialog()
+
+
+def _names(numbers):
+    return [f"Face{number}" for number in numbers]
+
+
+def _split(faces):
+    """Faces selected before: sources; of several the last is the target."""
+    faces = list(faces)
+    return (faces[:-1], faces[-1:]) if len(faces) > 1 else (faces, [])
+
+
+def _scheme_text(scheme):
+    return f"{', '.join(faces_with(scheme, 'source'))} \N{RIGHTWARDS ARROW} {', '.join(faces_with(scheme, 'target'))}"
+
+
+def _changes(options, settings):
+    """Return the settings that differ from `options`."""
+    old = {**vars(options), "sources": _names(options.sources), "targets": _names(options.targets)}
+    return {name: value for name, value in settings.items() if value != old[name]}

@@ -1,0 +1,104 @@
+"""Writing results to files; the format follows from the suffix."""
+
+import contextlib
+import os
+import pathlib
+import tempfile
+
+from sweepmesh.engine.errors import input_error
+from sweepmesh.engine.writers import inp, vtu
+from sweepmesh.freecad import import_freecad
+
+
+def write(result, path, document_object=None, options=None):
+    """Writes a Result to `path` (.vtu, .inp, .unv, .med or .FCStd).
+
+    .vtu and .inp need nothing else, the others go through FreeCAD. An .FCStd file becomes the document of
+    `document_object` (the object with the meshed shape) with a mesh object made from `options` added, or
+    a document with the mesh alone where none is given. The file appears whole or not at all. Raises
+    InputError for another suffix or a file that cannot be written.
+    """
+    path = pathlib.Path(path)
+    check_path(path)
+    try:
+        with replacing(path) as temporary:
+            _WRITERS[path.suffix.lower()](temporary, result, document_object, options)
+    except OSError as error:
+        raise input_error(f"{path} cannot be written: {error.strerror or error}.", "write") from error
+
+
+def check_path(path):
+    """Raises InputError unless `path` has a suffix that can be written and lies in a writable folder."""
+    path = pathlib.Path(path)
+    if path.suffix.lower() not in _WRITERS:
+        known = ", ".join(FORMATS)
+        raise input_error(f"{path} has no suffix of a known format ({known}).", "write")
+    if not path.parent.is_dir():
+        raise input_error(f"{path} cannot be written: there is no folder {path.parent}.", "write")
+    if path.is_dir() or not os.access(path.parent, os.W_OK):
+        raise input_error(f"{path} cannot be written there.", "write")
+
+
+@contextlib.contextmanager
+def replacing(path):
+    """A temporary path of the same name; its file takes the place of `path` when the block ends well.
+
+    The name is kept because FreeCAD writes it into some formats and looks for it there.
+    """
+    path = pathlib.Path(path)
+    with tempfile.TemporaryDirectory(prefix=f".{path.name}.", dir=path.parent) as folder:
+        temporary = pathlib.Path(folder) / path.name
+        yield temporary
+        os.replace(temporary, path)
+
+
+def add_sweep_mesh(result, document_object, options, analysis=None):
+    """Adds a sweep mesh object with this Result to the document of the object that was meshed."""
+    from sweepmesh.app import remembered
+    from sweepmesh.app.make import make_sweep_mesh
+    from sweepmesh.app.shapes import brep_of
+
+    remembered.remember(brep_of(document_object), options, result)
+    return make_sweep_mesh(document_object, options, analysis)
+
+
+def _write_vtu(path, result, _object, _options):
+    vtu.write_result(path, result)
+
+
+def _write_inp(path, result, _object, _options):
+    inp.write_result(path, result)
+
+
+def _write_freecad(path, result, _object, _options):
+    _femmesh(result).write(str(path))
+
+
+def _write_document(path, result, document_object, options):
+    freecad = import_freecad()
+    if document_object is None:
+        document = freecad.newDocument("SweepMesh", hidden=True, temp=True)
+        document.addObject("Fem::FemMeshObject", "SweepMesh").FemMesh = _femmesh(result)
+    else:
+        document = document_object.Document
+        add_sweep_mesh(result, document_object, options)
+    document.recompute()
+    document.saveCopy(str(path))
+
+
+def _femmesh(result):
+    import_freecad()
+    from sweepmesh.app.femmesh import to_femmesh
+
+    return to_femmesh(result)
+
+
+_WRITERS = {
+    ".vtu": _write_vtu,
+    ".inp": _write_inp,
+    ".unv": _write_freecad,
+    ".med": _write_freecad,
+    ".fcstd": _write_document,
+}
+FORMATS = [".vtu", ".inp", ".unv", ".med", ".FCStd"]
+"""Suffixes that `write` knows."""

@@ -1,0 +1,119 @@
+#include "sweepmesh/boundary.h"
+
+#include <algorithm>
+#include <map>
+
+#include "sweepmesh/base/errors.h"
+#include "sweepmesh/intervals/edge_nodes.h"
+#include "sweepmesh/surface/cap_mesh.h"
+#include "sweepmesh/surface/linking_columns.h"
+#include "sweepmesh/surface/linking_edges.h"
+#include "sweepmesh/surface/linking_faces.h"
+
+namespace sweepmesh {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<FaceId>& faces) {
+  std::vector<std::string> names;
+  for (const FaceId f : faces) names.push_back(name_of(f));
+  return names;
+}
+
+/// The only face of a role; InputError where there are more.
+FaceId only_face(const Scheme& scheme, FaceRole role, const char* what) {
+  const std::vector<FaceId> faces = scheme.faces_with(role);
+  if (faces.size() == 1) return faces.front();
+  throw InputError("surface",
+                   "This solid sweeps with " + std::to_string(faces.size()) + " " + what +
+                       " faces; sweeps with more than one are not served yet.",
+                   names_of(faces));
+}
+
+/// By surface node: the column through it, for nodes on linking faces.
+std::vector<ColumnId> columns_at_nodes(const std::vector<ColumnNodes>& columns, int n_nodes) {
+  std::vector<ColumnId> at(n_nodes);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (const NodeId node : columns[c].nodes)
+      if (node.is_valid()) at[node.index] = ColumnId{c};
+  return at;
+}
+
+std::vector<ColumnNodes> linking_columns(const SurfaceMesh& surface) {
+  std::vector<ColumnNodes> columns;
+  for (auto& chain : columns_from(surface).chains) {
+    const int k_low = surface.k[chain.front().index];
+    columns.push_back({k_low, std::move(chain)});
+  }
+  return columns;
+}
+
+/// The target's node under each boundary node of the source, at the foot of its column.
+std::vector<CapNode> feet(const Model& model, FaceId target, const CapMesh& source,
+                          const EdgeMesh& edges, const std::vector<ColumnNodes>& columns,
+                          const std::vector<ColumnId>& column_at) {
+  std::map<NodeId, CapNode> on_target;
+  for (const auto& loop : cap_loops(model, target, edges.edge, edges.parameters.t))
+    for (const CapNode& node : loop) on_target.emplace(node.node, node);
+  std::vector<CapNode> out;
+  for (const NodeId node : source.boundary) {
+    const ColumnId c = column_at[node.index];
+    const auto foot =
+        c.is_valid() ? on_target.find(columns[c.index].nodes.front()) : on_target.end();
+    if (foot == on_target.end())
+      throw InvalidMeshError("surface",
+                             "The linking faces do not lead from " + name_of(source.face) + " to " +
+                                 name_of(target) + ".",
+                             {name_of(source.face), name_of(target)}, {});
+    out.push_back(foot->second);
+  }
+  return out;
+}
+
+/// Adds the columns inside the caps and the runs of all cells. `up` and `down` are the nodes of the
+/// source and of the target, in the same order; the first of them are the boundary's and have
+/// columns already.
+void add_inner_columns(const CapMesh& source, const std::vector<NodeId>& up,
+                       const std::vector<NodeId>& down, std::vector<ColumnId> column_at,
+                       BoundaryMesh& mesh) {
+  const int n_layers = mesh.surface.k[up.front().index];
+  column_at.resize(mesh.surface.n_nodes());
+  for (std::size_t n = source.plane.n_boundary; n < up.size(); ++n) {
+    ColumnNodes column{0, std::vector<NodeId>(n_layers + 1)};
+    column.nodes.front() = down[n];
+    column.nodes.back() = up[n];
+    column_at[up[n].index] = ColumnId{mesh.columns.size()};
+    mesh.columns.push_back(std::move(column));
+  }
+  for (int c = 0; c < source.plane.n_cells(); ++c) {
+    CellRun run{{}, 0, n_layers};
+    for (const int n : source.plane.cell(c)) run.columns.push_back(column_at[up[n].index]);
+    if (source.is_mirrored) std::reverse(run.columns.begin(), run.columns.end());
+    mesh.runs.push_back(std::move(run));
+  }
+}
+
+}  // namespace
+
+BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
+                           const IntervalOptions& options, CellKind kind, Context& context) {
+  const FaceId source = only_face(scheme, FaceRole::source, "source");
+  const FaceId target = only_face(scheme, FaceRole::target, "target");
+  BoundaryMesh mesh;
+  const EdgeMesh edges =
+      mesh_edges(model, intervals, place_edge_nodes(model, intervals, options), mesh.surface);
+  mesh_linking_faces(model, scheme, intervals, edges, context, mesh.surface);
+  mesh.columns = linking_columns(mesh.surface);
+  const auto column_at = columns_at_nodes(mesh.columns, mesh.surface.n_nodes());
+
+  const CapLoops loops = cap_loops(model, source, edges.edge, edges.parameters.t);
+  const CapMesh upper = mesh_cap(model, source, loops, options.size, kind, context);
+  const CapMesh lower =
+      map_cap(model, upper, target, feet(model, target, upper, edges, mesh.columns, column_at),
+              options.size, context);
+  const std::vector<NodeId> up = add_cap(upper, mesh.surface);
+  const std::vector<NodeId> down = add_cap(lower, mesh.surface);
+  add_inner_columns(upper, up, down, column_at, mesh);
+  return mesh;
+}
+
+}  // namespace sweepmesh

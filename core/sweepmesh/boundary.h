@@ -1,0 +1,28 @@
+// The boundary of a sweep, meshed: caps and linking faces that fit together, with the columns
+// between.
+#pragma once
+
+#include <vector>
+
+#include "sweepmesh/base/context.h"
+#include "sweepmesh/intervals/interval_options.h"
+#include "sweepmesh/intervals/intervals.h"
+#include "sweepmesh/model/model.h"
+#include "sweepmesh/scheme/scheme.h"
+#include "sweepmesh/surface/quad_mesher.h"
+#include "sweepmesh/volume/assemble.h"
+
+namespace sweepmesh {
+
+struct BoundaryMesh {
+  SurfaceMesh surface;
+  std::vector<ColumnNodes> columns;
+  std::vector<CellRun> runs;
+};
+
+/// One source and one target: grids on the linking faces, a mesh of `kind` on the source, its image
+/// on the target. Throws InputError for a scheme with more caps, and what the surface stage throws.
+BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
+                           const IntervalOptions& options, CellKind kind, Context& context);
+
+}  // namespace sweepmesh

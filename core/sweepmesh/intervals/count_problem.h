@@ -1,0 +1,72 @@
+// Whole numbers that meet linear demands and stay close to wished values: the interval problem
+// without its geometry.
+//
+//   find whole x_j in [lower_j, upper_j] with  sum a_rj x_j (<=, =, >=) b_r  and, for parity
+//   demands, sum a_rj x_j even, that minimise  sum_j weight_j (x_j / wish_j + wish_j / x_j - 2) +
+//   penalties.
+//
+// The cost of an unknown is the same for half as many as for twice as many, near its wish it is
+// quadratic in the relative deviation (x - wish) / wish; so what has to give is spread over all
+// unknowns in proportion to their size. It is convex, and tabulated at whole numbers only: the
+// linear relaxation then has whole corners wherever the demands are network-like.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sweepmesh/base/context.h"
+#include "sweepmesh/numerics/lp/integer_program.h"
+
+namespace sweepmesh {
+
+struct CountProblem {
+  struct Unknown {
+    double lower = 1.0;  ///< -unbounded for a free number (a level, an offset)
+    double upper = unbounded;
+    std::optional<double> wish;  ///< > 0; empty: any value is as good as another
+    double weight = 1.0;
+  };
+  enum class Kind { equality, at_most, at_least, even, preferably_even };
+  struct Demand {
+    Kind kind = Kind::equality;
+    std::vector<IntegerProgram::Term> terms;  ///< whole coefficients
+    double right = 0.0;                       ///< unused for the even kinds
+    std::vector<std::string> entities;        ///< CAD names, for the message of a conflict
+    std::string text;  ///< what is demanded, as "... must ..." without a period
+  };
+
+  std::vector<Unknown> unknowns;
+  std::vector<Demand> demands;
+
+  int add(Unknown u) {
+    unknowns.push_back(u);
+    return static_cast<int>(unknowns.size()) - 1;
+  }
+  void demand(Demand d) { demands.push_back(std::move(d)); }
+};
+
+struct CountOptions {
+  double time_limit_seconds = 10.0;  ///< for each independent part of the problem
+  /// Cost of an odd sum where an even one is preferred, in the unit of the cost above.
+  double odd_penalty = 0.5;
+};
+
+struct CountSolution {
+  std::vector<long> values;  ///< empty where infeasible
+  bool is_optimal = true;    ///< false: the time limit was reached, the best so far is used
+  double cost = 0.0;
+  std::vector<int> conflict;  ///< infeasible: demands that contradict each other, as few as found
+  bool is_feasible() const { return conflict.empty(); }
+};
+
+/// Solves by merging unknowns that must be equal, fixing those that only an even sum could move
+/// (the cheapest of each kind is kept), splitting into independent parts and branch and bound on
+/// what remains. An infeasible problem is answered by a smallest set of demands: dropping any one
+/// of them would make that set feasible (QuickXplain, Junker 2004; a few dozen solver runs), as far
+/// as the time limit allows. Throws SolverError and Cancelled as `solve` does. Values beyond 1e9
+/// are not represented.
+CountSolution solve_counts(const CountProblem& problem, const CountOptions& options,
+                           Context& context);
+
+}  // namespace sweepmesh

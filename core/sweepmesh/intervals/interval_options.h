@@ -1,0 +1,35 @@
+// What the user wishes of the number of mesh edges.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "sweepmesh/base/ids.h"
+
+namespace sweepmesh {
+
+/// How the nodes of one edge are spaced: each interval is `ratio` times as long as the one before.
+struct Bias {
+  double ratio =
+      1.0;  ///< > 0; 1 is even, above 1 the intervals grow from the edge's start to its end
+  bool symmetric =
+      false;  ///< grow (ratio above 1) from both ends to the middle, or shrink (below 1)
+};
+
+struct IntervalOptions {
+  double size = 1.0;          ///< wished length of a mesh edge, > 0
+  std::optional<int> layers;  ///< from the lowest to the highest level, >= 1; empty: from the sizes
+  std::map<EdgeId, double> edge_size;  ///< wished length on chosen edges, > 0
+  std::map<EdgeId, int> edge_count;    ///< exact number of mesh edges on chosen edges, >= 1
+  std::map<EdgeId, Bias> edge_bias;    ///< spacing on chosen edges; others are spaced evenly
+  /// Pairs of edges that must get the same number, besides those that the linking faces tie together.
+  std::vector<std::pair<EdgeId, EdgeId>> equal_edges;
+  /// The largest angle, in radians, by which a mesh edge should turn along a curved edge.
+  double max_turn = 1.05;
+  bool quad_caps = true;             ///< caps are meshed by quads: their boundaries need even sums
+  double time_limit_seconds = 10.0;  ///< of the integer solver, for each independent part
+};
+
+}  // namespace sweepmesh

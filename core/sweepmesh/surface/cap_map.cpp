@@ -1,0 +1,129 @@
+#include "sweepmesh/surface/cap_map.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <string>
+
+#include "sweepmesh/base/errors.h"
+#include "sweepmesh/surface/foldover_free_2d.h"
+#include "sweepmesh/surface/mean_value_2d.h"
+
+namespace sweepmesh {
+namespace {
+
+using Affine = Eigen::Matrix<double, 2, 3>;
+
+Point2 apply(const Affine& a, const Point2& p) { return a.leftCols<2>() * p + a.col(2); }
+
+/// Least squares over the boundary nodes.
+Affine best_affine(const PlanarMesh& source, const std::vector<Point2>& boundary) {
+  Eigen::MatrixX3d left(source.n_boundary, 3);
+  Eigen::MatrixX2d right(source.n_boundary, 2);
+  for (int i = 0; i < source.n_boundary; ++i) {
+    left.row(i) << source.points[i].transpose(), 1.0;
+    right.row(i) = boundary[i].transpose();
+  }
+  return left.colPivHouseholderQr().solve(right).transpose();
+}
+
+std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Point2>& boundary,
+                                 const MapOptions& options) {
+  const Affine affine = best_affine(source, boundary);
+  std::vector<Point2> residual(boundary);
+  for (int i = 0; i < source.n_boundary; ++i) residual[i] -= apply(affine, source.points[i]);
+  std::vector<Point2> out = harmonic_extension(source, residual, options.source_metric);
+  for (int i = 0; i < source.n_nodes(); ++i) out[i] += apply(affine, source.points[i]);
+  for (int i = 0; i < source.n_boundary; ++i) out[i] = boundary[i];
+  return out;
+}
+
+/// Cells that are worse than `limit`.
+std::vector<int> cells_below(double limit, const PlanarMesh& mesh, const std::vector<Point2>& points,
+                             const Metric& metric) {
+  std::vector<int> out;
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    if (scaled_jacobian(points, mesh.cell(c), metric) <= limit) out.push_back(c);
+  return out;
+}
+
+/// Flags the nodes of the cells and of `rings` rings of cells around them.
+std::vector<char> neighbourhood(const PlanarMesh& mesh, const NodeCells& at_nodes,
+                                const std::vector<int>& cells, int rings) {
+  std::vector<char> is_near(mesh.n_nodes(), 0);
+  std::vector<int> front;
+  const auto add = [&](int cell, std::vector<int>& next) {
+    for (const int node : mesh.cell(cell))
+      if (!std::exchange(is_near[node], 1)) next.push_back(node);
+  };
+  for (const int c : cells) add(c, front);
+  for (int r = 0; r < rings && !front.empty(); ++r) {
+    std::vector<int> next;
+    for (const int node : front)
+      for (const int c : at_nodes.of(node)) add(c, next);
+    front = std::move(next);
+  }
+  return is_near;
+}
+
+/// The energy over the corners with a node that is free; the rest of the mesh stays.
+std::vector<Point2> relaxed(const PlanarMesh& mesh, const std::vector<Point2>& points,
+                            const std::vector<char>& is_free, const MapOptions& options,
+                            const Context& context) {
+  std::vector<char> fixed(mesh.n_nodes());
+  for (int i = 0; i < mesh.n_nodes(); ++i) fixed[i] = i < mesh.n_boundary || !is_free[i];
+  std::vector<MapTriangle> corners = corners_like(mesh, mesh.points, options.source_metric);
+  std::erase_if(corners, [&](const MapTriangle& t) {
+    return std::all_of(t.node.begin(), t.node.end(), [&](int node) { return fixed[node]; });
+  });
+  return minimise_foldover(points, fixed, corners, options.target_metric, {}, context).points;
+}
+
+bool is_better(const PlanarQuality& a, const PlanarQuality& b) {
+  return a.n_inverted != b.n_inverted ? a.n_inverted < b.n_inverted : a.min > b.min;
+}
+
+class Improver {
+ public:
+  Improver(const PlanarMesh& mesh, const MapOptions& options, const Context& context)
+      : mesh_(mesh), options_(options), context_(context), at_nodes_(cells_at_nodes(mesh)) {}
+
+  void run(PlanarMap& map) const {
+    std::vector<int> poor = cells_below(options_.poor, mesh_, map.points, options_.target_metric);
+    if (poor.empty()) return;
+    for (int rings = std::max(1, options_.rings);; rings *= 2) {
+      const auto is_free = neighbourhood(mesh_, at_nodes_, poor, rings);
+      auto points = relaxed(mesh_, map.points, is_free, options_, context_);
+      const PlanarQuality q = quality(points, mesh_, options_.target_metric);
+      if (is_better(q, map.final)) map.points = std::move(points), map.final = q;
+      const bool is_whole = std::all_of(is_free.begin(), is_free.end(), [](char f) { return f; });
+      if (map.final.n_inverted == 0 || is_whole) return;
+    }
+  }
+
+ private:
+  const PlanarMesh& mesh_;
+  const MapOptions& options_;
+  const Context& context_;
+  NodeCells at_nodes_;
+};
+
+}  // namespace
+
+PlanarMap map_planar(const PlanarMesh& source, const std::vector<Point2>& boundary,
+                     const MapOptions& options, const Context& context) {
+  if (static_cast<int>(boundary.size()) != source.n_boundary)
+    throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
+  PlanarMap map;
+  map.points = harmonic_map(source, boundary, options);
+  map.harmonic = map.final = quality(map.points, source, options.target_metric);
+  Improver(source, options, context).run(map);
+  const auto inverted = cells_below(0.0, source, map.points, options.target_metric);
+  if (!inverted.empty())
+    throw InvalidMeshError("surface",
+                           "The source mesh cannot be carried to the target face: " +
+                               std::to_string(inverted.size()) + " cells stay inverted.",
+                           {}, std::vector<long>(inverted.begin(), inverted.end()));
+  return map;
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,263 @@
+#include "sweepmesh/surface/quad_mesher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "sweepmesh/numerics/cgal/constrained_delaunay.h"
+#include "sweepmesh/numerics/gmsh/gmsh.h"
+#include "sweepmesh/surface/foldover_free_2d.h"
+#include "sweepmesh/surface/mean_value_2d.h"
+#include "sweepmesh/surface/quad_cleanup.h"
+#include "sweepmesh/surface/quad_templates.h"
+#include "sweepmesh/surface/worst_first.h"
+
+namespace sweepmesh {
+namespace {
+
+/// A structured mesh as good as this is taken without trying others.
+constexpr double good_enough = 0.7;
+
+void check_input(const PlanarLoops& loops, const PlanarMeshOptions& options) {
+  if (!(options.size > 0.0) || !std::isfinite(options.size))
+    throw InputError("surface", "The element size of a cap must be positive.");
+  if (loops.empty()) throw InputError("surface", "A cap without a boundary cannot be meshed.");
+  std::size_t n_edges = 0;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    n_edges += loops[l].size();
+    if (loops[l].size() < 3)
+      throw InputError("surface", "A boundary loop of a cap has fewer than three mesh edges; choose a smaller size.");
+    if ((signed_area(loops[l]) > 0.0) != (l == 0))
+      throw InputError("surface", "The boundary loops of a cap do not run around its face.");
+  }
+  if (!is_domain(loops))
+    throw InputError("surface",
+                     "The boundary loops of a cap touch or cross; choose a smaller element size.");
+  if (options.kind == CellKind::quad && n_edges % 2 != 0)
+    throw InputError("surface", "A cap's boundary has an odd number of mesh edges, so quads cannot fill it.");
+}
+
+/// Shortest by longest edge, the mean over all cells.
+double mean_edge_ratio(const PlanarMesh& mesh, const Metric& metric) {
+  double sum = 0.0;
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    const Eigen::Matrix2d root = metric ? metric(mesh.points[cell[0]]) : Eigen::Matrix2d::Identity();
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      const double length = (root * (mesh.points[cell[(i + 1) % cell.size()]] - mesh.points[cell[i]])).norm();
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+    }
+    sum += shortest / longest;
+  }
+  return sum / std::max(1, mesh.n_cells());
+}
+
+/// How good a mesh is as a whole: the worst cell counts most.
+double score(const PlanarMesh& mesh, const Metric& metric) {
+  const PlanarQuality q = quality(mesh.points, mesh, metric);
+  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
+}
+
+PlanarMesh from_gmsh(const GmshMesh& made, const PlanarLoops& loops) {
+  PlanarMesh mesh;
+  mesh.points = made.points;
+  const std::vector<Point2> boundary = flattened(loops);
+  mesh.n_boundary = static_cast<int>(boundary.size());
+  std::copy(boundary.begin(), boundary.end(), mesh.points.begin());
+  for (const auto& cell : made.cells) mesh.add_cell({cell.data(), cell[3] < 0 ? 3u : 4u});
+  return mesh;
+}
+
+PlanarMesh by_gmsh(const PlanarLoops& loops, GmshAlgorithm algorithm, double size, bool recombine,
+                   const Context& context) {
+  GmshOptions options;
+  options.algorithm = algorithm;
+  options.recombine = recombine;
+  options.size_max = size;
+  return from_gmsh(mesh_by_gmsh(loops, options, context), loops);
+}
+
+/// All that making one unstructured candidate needs.
+struct Task {
+  const PlanarLoops& loops;
+  const PlanarMeshOptions& options;
+  const BoundaryAngles& angles;
+  const Context& context;
+};
+
+PlanarMesh cleaned(const PlanarMesh& quads, const Task& task) {
+  const Metric& metric = task.options.metric;
+  return smoothed(with_regular_valences(smoothed(quads, metric, task.context), task.angles), metric,
+                  task.context);
+}
+
+std::optional<PlanarMesh> unstructured(GmshAlgorithm algorithm, const Task& task) {
+  const auto quads =
+      with_triangles_paired(by_gmsh(task.loops, algorithm, task.options.size, true, task.context));
+  if (!quads) return std::nullopt;
+  return cleaned(*quads, task);
+}
+
+/// Possible where every loop has an even number of edges.
+std::optional<PlanarMesh> by_halving(const Task& task) {
+  PlanarLoops half;
+  for (const auto& loop : task.loops) {
+    if (loop.size() % 2 != 0 || loop.size() < 6) return std::nullopt;
+    half.emplace_back();
+    for (std::size_t i = 0; i < loop.size(); i += 2) half.back().push_back(loop[i]);
+  }
+  const double size = 2.0 * task.options.size;
+  return cleaned(refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), task.loops),
+                 task);
+}
+
+/// Lets one way of meshing fail, as long as another one works.
+template <class Make>
+void try_to_add(const Make& make, std::vector<PlanarMesh>& out, std::optional<SolverError>& failure) {
+  try {
+    if (std::optional<PlanarMesh> mesh = make()) out.push_back(std::move(*mesh));
+  } catch (const SolverError& e) {
+    failure = e;
+  }
+}
+
+double worst(const std::vector<PlanarMesh>& meshes, const Metric& metric) {
+  double best = -1.0;
+  for (const PlanarMesh& m : meshes) best = std::max(best, quality(m.points, m, metric).min);
+  return best;
+}
+
+std::vector<PlanarMesh> quad_candidates(const Task& task) {
+  constexpr double poor = 0.3;
+  std::vector<PlanarMesh> out;
+  std::optional<SolverError> failure;
+  for (const PlanarMesh& pattern : structured_candidates(task.loops, task.options.size))
+    out.push_back(smoothed(pattern, task.options.metric, task.context));
+  if (worst(out, task.options.metric) >= good_enough) return out;
+  for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms})
+    try_to_add([&] { return unstructured(algorithm, task); }, out, failure);
+  if (worst(out, task.options.metric) < poor) {
+    try_to_add([&] { return by_halving(task); }, out, failure);
+    for (std::size_t i = 0, n = out.size(); i < n; ++i)
+      out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
+  }
+  if (!out.empty()) return out;
+  if (failure) throw *failure;
+  throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");
+}
+
+std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
+  std::vector<double> sum(mesh.n_boundary, 0.0);
+  std::vector<int> count(mesh.n_boundary, 0);
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      const int a = cell[i], b = cell[(i + 1) % cell.size()];
+      if (a >= mesh.n_boundary || b >= mesh.n_boundary) continue;
+      const Point2 d = mesh.points[b] - mesh.points[a];
+      const double length = metric ? (metric(mesh.points[a]) * d).norm() : d.norm();
+      for (const int node : {a, b}) sum[node] += length, ++count[node];
+    }
+  }
+  std::vector<Point2> boundary(mesh.n_boundary);
+  for (int i = 0; i < mesh.n_boundary; ++i)
+    boundary[i] = Point2(sum[i] / std::max(1, count[i]), 0.0);
+  const std::vector<Point2> all = harmonic_extension(mesh, boundary, metric);
+  std::vector<double> size(mesh.n_cells(), 0.0);
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    for (const int node : mesh.cell(c)) size[c] += all[node].x() / static_cast<double>(mesh.cell(c).size());
+  return size;
+}
+
+/// Scales the wished sizes so that the wished areas add up to the domain's.
+void fit_to_area(std::vector<double>& size, const PlanarMesh& mesh, const Metric& metric) {
+  double wished = 0.0, there = 0.0;
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    std::vector<Point2> corners;
+    Point2 centre = Point2::Zero();
+    for (const int node : cell) {
+      corners.push_back(mesh.points[node]);
+      centre += mesh.points[node] / static_cast<double>(cell.size());
+    }
+    there += signed_area(corners) * (metric ? metric(centre).determinant() : 1.0);
+    const double regular_area = cell.size() == 3 ? 0.25 * std::sqrt(3.0) : 1.0;
+    wished += regular_area * size[c] * size[c];
+  }
+  for (double& s : size) s *= std::sqrt(there / wished);
+}
+
+}  // namespace
+
+PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context) {
+  std::vector<double> size = local_sizes(mesh, metric);
+  fit_to_area(size, mesh, metric);
+  std::vector<char> fixed(mesh.n_nodes(), 0);
+  std::fill_n(fixed.begin(), mesh.n_boundary, 1);
+  PlanarMesh out = mesh;
+  out.points = minimise_foldover(mesh.points, fixed, corners_regular(mesh, size), metric, {}, context).points;
+  return out;
+}
+
+std::vector<double> interior_angles(const PlanarLoops& loops) {
+  std::vector<double> out;
+  for (const auto& loop : loops) {
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point2 in = loop[i] - loop[(i + n - 1) % n], along = loop[(i + 1) % n] - loop[i];
+      out.push_back(std::numbers::pi - std::atan2(cross2(in, along), in.dot(along)));
+    }
+  }
+  return out;
+}
+
+bool is_domain(const PlanarLoops& loops) {
+  std::vector<std::vector<int>> numbers;
+  int first = 0;
+  double wished = 0.0, found = 0.0;
+  for (const auto& loop : loops) {
+    wished += signed_area(loop);
+    numbers.emplace_back(loop.size());
+    for (int& i : numbers.back()) i = first++;
+  }
+  try {
+    const std::vector<Point2> points = flattened(loops);
+    for (const auto& [a, b, c] : constrained_delaunay(points, numbers))
+      found += 0.5 * cross2(points[b] - points[a], points[c] - points[a]);
+  } catch (const InputError&) {
+    return false;
+  }
+  constexpr double rounding = 1e-9;  // of areas
+  return wished > 0.0 && std::abs(found - wished) <= rounding * wished;
+}
+
+std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarMeshOptions& options,
+                                         const BoundaryAngles& angles, const Context& context) {
+  check_input(loops, options);
+  if (options.kind == CellKind::quad) return quad_candidates({loops, options, angles, context});
+  return {smoothed(by_gmsh(loops, GmshAlgorithm::frontal, options.size, false, context), options.metric,
+                   context)};
+}
+
+PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options, const Context& context) {
+  std::vector<PlanarMesh> all = candidate_meshes(loops, options, {interior_angles(loops)}, context);
+  const auto best = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return score(a, options.metric) < score(b, options.metric);
+  });
+  constexpr double worth_raising = 0.7;
+  best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);
+  std::vector<long> inverted;
+  for (int c = 0; c < best->n_cells(); ++c)
+    if (scaled_jacobian(best->points, best->cell(c), options.metric) <= 0.0) inverted.push_back(c);
+  if (inverted.empty()) return std::move(*best);
+  throw InvalidMeshError("surface",
+                         "The mesh of a cap keeps " + std::to_string(inverted.size()) +
+                             " inverted cells; try a smaller element size.",
+                         {}, inverted);
+}
+
+}  // namespace sweepmesh

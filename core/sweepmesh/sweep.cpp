@@ -1,0 +1,154 @@
+#include "sweepmesh/sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "sweepmesh/boundary.h"
+#include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/intervals/wishes.h"
+#include "sweepmesh/second_order_on_model.h"
+#include "sweepmesh/volume/place.h"
+
+namespace sweepmesh {
+namespace {
+
+/// Runs stages and notes how long each took.
+class StageClock {
+ public:
+  explicit StageClock(std::map<std::string, double>& seconds) : seconds_(seconds) {}
+
+  template <class F>
+  auto run(const char* stage, F&& f) {
+    const Timer timer(seconds_[stage]);
+    return f();
+  }
+
+ private:
+  class Timer {
+   public:
+    explicit Timer(double& total) : total_(total) {}
+    ~Timer() {
+      total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+
+   private:
+    double& total_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  };
+
+  std::map<std::string, double>& seconds_;
+};
+
+[[noreturn]] void refuse(const std::string& sentence, std::vector<std::string> entities = {}) {
+  throw InputError("options", sentence, std::move(entities));
+}
+
+void check_options(const SweepOptions& options) {
+  if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
+    refuse("The element size must be a positive number.");
+  if (options.layers && *options.layers < 1) refuse("The number of layers must be at least 1.");
+  if (options.order != 1 && options.order != 2) refuse("The element order must be 1 or 2.");
+  if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
+  if (options.element == ElementKind::polyhedron)
+    refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
+}
+
+void check_picks(const Picks& picks) {
+  for (const FaceId source : picks.sources)
+    if (std::find(picks.targets.begin(), picks.targets.end(), source) != picks.targets.end())
+      refuse(name_of(source) + " is given as a source and as a target.", {name_of(source)});
+  for (const auto& [source, target] : picks.pairs)
+    if (source == target) refuse(name_of(source) + " is paired with itself.", {name_of(source)});
+}
+
+IntervalOptions interval_options(const SweepOptions& options, double size) {
+  IntervalOptions out;
+  out.size = size;
+  out.layers = options.layers;
+  out.quad_caps = options.element == ElementKind::hex;
+  return out;
+}
+
+std::string in_millions(double count) {
+  char text[32];
+  std::snprintf(text, sizeof text, count < 1e5 ? "%.0f" : "%.3g", count);
+  return text;
+}
+
+void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
+  IntervalOptions intervals = interval_options(options, size);
+  double expected = expected_elements(model, intervals);
+  if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
+  if (expected <= static_cast<double>(options.max_elements)) return;
+  refuse("About " + in_millions(expected) +
+         " elements are to be expected, more than the limit of " +
+         in_millions(static_cast<double>(options.max_elements)) +
+         "; choose a larger size, or lift the limit with --force (max_elements in Python).");
+}
+
+VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
+  Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
+  const PlacementReport report =
+      place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
+  if (!report.inverted.empty())
+    throw InvalidMeshError(
+        "place",
+        std::to_string(report.inverted.size()) +
+            " elements stay inverted: no valid position of the nodes inside was found.",
+        {}, report.inverted);
+  VolumeMesh mesh = build_volume_mesh(assembly.extrusion, std::move(assembly.points));
+  add_boundary(boundary.surface, assembly, mesh);
+  return mesh;
+}
+
+}  // namespace
+
+double default_size(const Model& model) {
+  constexpr double n_elements = 3000;
+  return std::cbrt(model.volume() / n_elements);
+}
+
+SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
+                  Context& context) {
+  check_options(options);
+  check_picks(picks);
+  SweepResult result;
+  StageClock clock(result.seconds);
+  result.size = options.size.value_or(default_size(model));
+  refuse_explosion(model, options, result.size);
+
+  context.report(0.0, "Looking for sources and targets");
+  result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
+  if (!result.assessment.is_sweepable()) return result;
+  const Scheme& scheme = result.assessment.schemes.front();
+
+  context.report(0.1, "Choosing intervals");
+  const IntervalOptions intervals = interval_options(options, result.size);
+  result.intervals =
+      clock.run("intervals", [&] { return assign_intervals(model, scheme, intervals, context); });
+  if (!result.intervals.is_optimal)
+    result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
+
+  context.report(0.2, "Meshing the surface");
+  const BoundaryMesh boundary = clock.run("surface", [&] {
+    const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
+    return mesh_boundary(model, scheme, result.intervals, intervals, kind, context);
+  });
+
+  context.report(0.6, "Placing interior nodes");
+  result.mesh = clock.run("place", [&] {
+    VolumeMesh mesh = fill(boundary, context);
+    if (options.order == 2) add_mid_nodes_on(model, mesh, context, result.warnings);
+    return mesh;
+  });
+
+  context.report(0.9, "Measuring quality");
+  result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });
+  context.report(1.0, "Done");
+  return result;
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,44 @@
+// The intrinsic idealised model of an extrusion: a metric on its base mesh and a height for every
+// layer.
+//
+// Harmonic coordinates of the thesis (4.2.3) live on an idealised prism. Their sum, weighted with
+// the cage, is the harmonic extension of the cage's positions, and the Laplacian of the prism needs
+// no embedding: only lengths in the base mesh, here those of the run's two ends (the matrices of
+// both are averaged), and heights of layers. So the idealised model of every set of runs is two
+// small matrices.
+#pragma once
+
+#include <vector>
+
+#include "sweepmesh/base/geometry.h"
+#include "sweepmesh/volume/extrusion.h"
+
+namespace sweepmesh {
+
+struct BaseMetric {
+  /// Per cell, and one more: where its pairs of corners start. A cell with n corners has n (n - 1)
+  /// / 2 pairs in the order (0,1) (0,2) ... (1,2) ...
+  std::vector<long> pair_offset = {0};
+  /// Weight of every pair, >= 0: minus the entry of the cell's stiffness matrix.
+  std::vector<double> pair_weight;
+  /// Per corner, parallel to Extrusion::cell_columns: the part of the cell's area that is its
+  /// share.
+  std::vector<double> corner_mass;
+  /// Level of the lowest node of all; height[k - k_first] > 0 is that of the layer k .. k + 1.
+  int k_first = 0;
+  std::vector<double> height;
+
+  double height_of(int k) const { return height[k - k_first]; }
+};
+
+/// Stiffness is that of linear triangles (cotangents), a quad divided by its Delaunay diagonal, a
+/// larger polygon by the mean of its fans; negative weights are left out, so that every harmonic
+/// value is a convex combination of its neighbours. Heights are the mean distances between fixed
+/// nodes one above the other, or, for a layer that has none, those of the ends of the runs, divided
+/// by their layers.
+///
+/// `points` needs the ends of the runs and the nodes that are `fixed`. Linear in their number.
+BaseMetric make_base_metric(const Extrusion& extrusion, const std::vector<char>& fixed,
+                            const Points& points);
+
+}  // namespace sweepmesh

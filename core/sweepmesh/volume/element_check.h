@@ -1,0 +1,21 @@
+// Scaled Jacobian of all elements of an extrusion, fast: which are bad, and the least value.
+#pragma once
+
+#include <vector>
+
+#include "sweepmesh/base/geometry.h"
+#include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/extrusion.h"
+
+namespace sweepmesh {
+
+struct ElementCheck {
+  std::vector<long> bad;  ///< ascending; numbered cell by cell, from the lowest layer up
+  double min_scaled_jacobian = 1.0;
+};
+
+/// Elements whose scaled Jacobian is not above `threshold`.
+ElementCheck check_elements(const Extrusion& extrusion, const Points& points, double threshold,
+                            ThreadTeam& team);
+
+}  // namespace sweepmesh

@@ -1,0 +1,247 @@
+#include "sweepmesh/volume/layer_motion.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "sweepmesh/base/errors.h"
+
+namespace sweepmesh {
+namespace {
+
+/// Disjoint sets of 0 .. n - 1.
+class Sets {
+ public:
+  explicit Sets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int a, int b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// Directions with less than this part of the largest variance (squared) count as none.
+constexpr double flat_variance = 64.0 * std::numeric_limits<double>::epsilon();
+
+Point3 mean_of(const std::vector<Point3>& points) {
+  Point3 sum = Point3::Zero();
+  for (const Point3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+/// The cross-section between two neighbouring levels.
+struct Slab {
+  int k_low, k_high;
+  std::vector<int> part;  ///< per column: connected part of the section, or -1
+  /// Per part: maps from k_low to k_low .. k_high; empty where no fit exists.
+  std::vector<std::vector<Affine>> motion;
+};
+
+std::vector<int> levels_of(const Extrusion& x) {
+  std::vector<int> levels = x.cell_k_low;
+  levels.insert(levels.end(), x.cell_k_high.begin(), x.cell_k_high.end());
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+int find_parts(const Extrusion& x, Slab& slab) {
+  Sets sets(x.n_columns());
+  std::vector<char> is_active(x.n_columns(), 0);
+  for (int c = 0; c < x.n_cells(); ++c) {
+    if (x.cell_k_low[c] > slab.k_low || x.cell_k_high[c] < slab.k_high) continue;
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
+      is_active[x.cell_columns[i]] = 1;
+      sets.join(x.cell_columns[i], x.cell_columns[x.cell_offset[c]]);
+    }
+  }
+  int n_parts = 0;
+  slab.part.assign(x.n_columns(), -1);
+  for (int c = 0; c < x.n_columns(); ++c) {
+    if (!is_active[c]) continue;
+    const int root = sets.find(c);
+    slab.part[c] = root == c ? n_parts++ : slab.part[root];
+  }
+  return n_parts;
+}
+
+bool is_fixed_between(const Extrusion& x, const std::vector<char>& fixed, int column, int low,
+                      int high) {
+  const auto first = fixed.begin() + x.node(column, low);
+  return std::all_of(first, first + (high - low + 1), [](char f) { return f != 0; });
+}
+
+std::vector<Affine> fit_layers(const Extrusion& x, const Points& points, const Slab& slab,
+                               const std::vector<int>& loop) {
+  std::vector<Point3> from(loop.size()), to(loop.size());
+  std::vector<Affine> motion(1);
+  for (std::size_t i = 0; i < loop.size(); ++i) from[i] = points.row(x.node(loop[i], slab.k_low));
+  for (int k = slab.k_low + 1; k <= slab.k_high; ++k) {
+    for (std::size_t i = 0; i < loop.size(); ++i) to[i] = points.row(x.node(loop[i], k));
+    if (!fit_affine(from, to, motion.emplace_back())) return {};
+  }
+  return motion;
+}
+
+std::vector<Slab> make_slabs(const Extrusion& x, const std::vector<char>& fixed,
+                             const Points& points) {
+  std::vector<Slab> slabs;
+  const std::vector<int> levels = levels_of(x);
+  for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
+    Slab& slab = slabs.emplace_back(Slab{levels[l], levels[l + 1], {}, {}});
+    std::vector<std::vector<int>> loops(find_parts(x, slab));
+    for (int c = 0; c < x.n_columns(); ++c)
+      if (slab.part[c] >= 0 && is_fixed_between(x, fixed, c, slab.k_low, slab.k_high))
+        loops[slab.part[c]].push_back(c);
+    for (const std::vector<int>& loop : loops)
+      slab.motion.push_back(fit_layers(x, points, slab, loop));
+  }
+  return slabs;
+}
+
+/// Maps from the low end of a block to each of its levels; empty where a slab has no fit.
+std::vector<Affine> chain(const std::vector<Slab>& slabs, const Block& block, int column) {
+  std::vector<Affine> maps(1);
+  for (const Slab& slab : slabs) {
+    if (slab.k_high <= block.k_low || slab.k_low >= block.k_high) continue;
+    const std::vector<Affine>& motion = slab.motion[slab.part[column]];
+    if (motion.empty()) return {};
+    const Affine start = maps.back();
+    for (std::size_t k = 1; k < motion.size(); ++k) maps.push_back(motion[k].after(start));
+  }
+  return maps;
+}
+
+void set_blends(const std::vector<Slab>& slabs, const BaseMetric& metric, int column,
+                Block& block) {
+  const int n = block.k_high - block.k_low;
+  std::vector<Affine> maps = chain(slabs, block, column);
+  block.has_loops = !maps.empty();
+  if (!block.has_loops) maps.assign(n + 1, Affine());
+  const Affine back = maps.back().inverse();
+  std::vector<double> height(n + 1, 0.0);
+  for (int k = 0; k < n; ++k) height[k + 1] = height[k] + metric.height_of(block.k_low + k);
+  for (int k = 0; k <= n; ++k) {
+    const double s = height[k] / height[n];
+    const Affine down = maps[k].after(back);
+    block.blend.push_back(
+        {(1 - s) * maps[k].matrix, s * down.matrix, (1 - s) * maps[k].shift + s * down.shift});
+  }
+}
+
+void find_blocks(const Extrusion& x, LayerMotion& motion) {
+  // Cells are joined through the first cell that a column saw with the same ends.
+  Sets sets(x.n_cells());
+  std::map<std::pair<int, int>, std::vector<int>> seen;
+  for (int c = 0; c < x.n_cells(); ++c) {
+    std::vector<int>& first = seen[{x.cell_k_low[c], x.cell_k_high[c]}];
+    if (first.empty()) first.assign(x.n_columns(), -1);
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
+      int& f = first[x.cell_columns[i]];
+      if (f < 0) f = c;
+      sets.join(f, c);
+    }
+  }
+  motion.cell_block.resize(x.n_cells());
+  for (int c = 0; c < x.n_cells(); ++c) {
+    const int root = sets.find(c);
+    if (root == c) {
+      motion.cell_block[c] = static_cast<int>(motion.blocks.size());
+      motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, false});
+    } else {
+      motion.cell_block[c] = motion.cell_block[root];
+    }
+  }
+}
+
+void list_blocks_of_columns(const Extrusion& x, LayerMotion& motion) {
+  std::vector<std::vector<int>> blocks(x.n_columns());
+  for (int c = 0; c < x.n_cells(); ++c)
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
+      std::vector<int>& list = blocks[x.cell_columns[i]];
+      const int b = motion.cell_block[c];
+      if (std::find(list.begin(), list.end(), b) == list.end()) list.push_back(b);
+    }
+  motion.column_offset.assign(1, 0);
+  for (std::vector<int>& list : blocks) {
+    std::sort(list.begin(), list.end());
+    motion.column_blocks.insert(motion.column_blocks.end(), list.begin(), list.end());
+    motion.column_offset.push_back(static_cast<int>(motion.column_blocks.size()));
+  }
+}
+
+void check_ends(const Extrusion& x, const std::vector<char>& fixed) {
+  for (int c = 0; c < x.n_cells(); ++c)
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i)
+      for (const int k : {x.cell_k_low[c], x.cell_k_high[c]})
+        if (!fixed[x.node(x.cell_columns[i], k)])
+          throw InputError("place", "The end of a run at layer " + std::to_string(k) +
+                                        " has a node without a position (column " +
+                                        std::to_string(x.cell_columns[i]) + ").");
+}
+
+}  // namespace
+
+bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, Affine& map) {
+  if (from.size() < 3) return false;
+  const Point3 c = mean_of(from), d = mean_of(to);
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero(), f = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    m += (from[i] - c) * (from[i] - c).transpose();
+    f += (to[i] - d) * (from[i] - c).transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(m);  // ascending variances
+  const Point3 variance = axes.eigenvalues();
+  if (!(variance[1] > flat_variance * variance[2])) return false;
+  Eigen::Matrix3d image;
+  for (int i = 1; i < 3; ++i) image.col(i) = f * axes.eigenvectors().col(i) / variance[i];
+  // The frame is right-handed, so that the image of the normal lies on the proper side.
+  const Eigen::Matrix3d& e = axes.eigenvectors();
+  const double side = e.determinant() > 0.0 ? 1.0 : -1.0;
+  const Point3 normal = side * Point3(image.col(1)).cross(Point3(image.col(2)));
+  if (!(normal.norm() > 0.0)) return false;
+  const Point3 wanted = normal / std::sqrt(normal.norm());
+  // Functional H: one more pair of vectors, as heavy as the narrower direction of the plane.
+  image.col(0) = (f * e.col(0) + variance[1] * wanted) / (variance[0] + variance[1]);
+  map.matrix = image * e.transpose();
+  map.shift = d - map.matrix * c;
+  return std::abs(map.matrix.determinant()) > 0.0;
+}
+
+LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char>& fixed,
+                              const Points& points, const BaseMetric& metric) {
+  check_ends(extrusion, fixed);
+  LayerMotion motion;
+  find_blocks(extrusion, motion);
+  list_blocks_of_columns(extrusion, motion);
+  const std::vector<Slab> slabs = make_slabs(extrusion, fixed, points);
+  for (int c = 0; c < extrusion.n_cells(); ++c) {
+    Block& block = motion.blocks[motion.cell_block[c]];
+    if (block.blend.empty())
+      set_blends(slabs, metric, extrusion.cell_columns[extrusion.cell_offset[c]], block);
+  }
+  return motion;
+}
+
+void predict(const Extrusion& extrusion, const Points& points, const Block& block, int column,
+             int k_begin, int k_end, Point3* out) {
+  const Point3 low = points.row(extrusion.node(column, block.k_low));
+  const Point3 high = points.row(extrusion.node(column, block.k_high));
+  for (int k = k_begin; k < k_end; ++k) {
+    const Blend& b = block.blend[k - block.k_low];
+    *out++ = b.low * low + b.high * high + b.shift;
+  }
+}
+
+}  // namespace sweepmesh

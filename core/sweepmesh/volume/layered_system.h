@@ -1,0 +1,79 @@
+// The Laplacian of an extrusion, matrix-free, and its coarser images.
+//
+//     A = K2 x M1 + M2 x K1
+//
+// K2, M2: stiffness and (lumped) mass of the base mesh, M1, K1 those of the layers. Unknowns are
+// the free nodes; fixed ones are left out, their couplings stay on the diagonal. Levels fall into
+// *bands*: within a band the same cells exist and the same columns are free, so one matrix of the
+// base says all. Layers fall into classes: 2t inside band t, 2t + 1 between band t and the next.
+//
+// A vector holds, column by column, three floats (x, y, z) for every level of the column's hull
+// (first to last free level), so that neighbours in the base are neighbouring streams of memory.
+// Single precision is enough: the unknown is a correction of a few elements at most. Nodes of the
+// hull that are not free hold zero.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "sweepmesh/volume/base_metric.h"
+#include "sweepmesh/volume/extrusion.h"
+
+namespace sweepmesh {
+
+using BaseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Vertical couplings of one class of layers, a value per column: of the two nodes with each other,
+/// and the parts of the diagonal of the lower and the upper one.
+struct LayerClass {
+  std::vector<float> across, lower, upper;
+};
+
+/// Rows of a base matrix as the sweeps over memory want them.
+struct BaseRows {
+  std::vector<int> offset, neighbour;
+  std::vector<float> weight;    ///< of the neighbours; what A has there
+  std::vector<float> diagonal;  ///< 0: not free in this band
+};
+
+struct LayeredSystem {
+  int k_first = 0;                 ///< level of index 0 of the arrays over levels
+  std::vector<float> share;        ///< per level: entry of M1; 3 times each
+  std::vector<float> spring;       ///< per layer: minus the off-diagonal entry of K1; 3 times each
+  std::vector<int> band_begin;     ///< first level (from k_first) of every band, and the end
+  std::vector<BaseRows> rows;      ///< per band
+  std::vector<LayerClass> layers;  ///< per class
+  std::vector<int> low,
+      high;  ///< per column: hull of its free levels (from k_first), low > high: none
+  std::vector<long> offset;  ///< per column: its first float
+
+  int n_columns() const { return static_cast<int>(low.size()); }
+  int n_bands() const { return static_cast<int>(rows.size()); }
+  long size() const { return offset.back(); }
+  float* at(float* v, int column, int k) const {
+    return v + offset[column] + 3L * (k - low[column]);
+  }
+  const float* at(const float* v, int column, int k) const {
+    return v + offset[column] + 3L * (k - low[column]);
+  }
+};
+
+/// A system with what only the making of coarser ones needs.
+struct LayeredLevel {
+  LayeredSystem system;
+  std::vector<BaseMatrix> matrix;  ///< per band, rows and columns of free nodes only
+};
+
+/// The finest level. Linear in the base mesh times the bands.
+LayeredLevel make_layered_level(const Extrusion& extrusion, const BaseMetric& metric,
+                                const std::vector<char>& fixed);
+
+/// Galerkin's product with a prolongation of the base (columns x coarse columns) that is the same
+/// for all levels; vertical couplings are lumped.
+LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongation);
+
+/// Smoothed aggregation: every aggregate is a column and its strong neighbours. The result has as
+/// many columns as `fine` when nothing can be joined.
+BaseMatrix make_prolongation(const LayeredLevel& fine);
+
+}  // namespace sweepmesh

@@ -1,0 +1,169 @@
+#include "sweepmesh/volume/place.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <string>
+
+#include "sweepmesh/base/errors.h"
+#include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/element_check.h"
+#include "sweepmesh/volume/layer_motion.h"
+#include "sweepmesh/volume/layered_solver.h"
+#include "sweepmesh/volume/residual.h"
+#include "sweepmesh/volume/untangle.h"
+
+namespace sweepmesh {
+namespace {
+
+constexpr long columns_per_chunk = 256;
+
+double size_of(const Points& points, const std::vector<char>& fixed) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Point3 low = Point3::Constant(infinity), high = Point3::Constant(-infinity);
+  for (std::size_t n = 0; n < fixed.size(); ++n) {
+    if (!fixed[n]) continue;
+    low = low.cwiseMin(Point3(points.row(n)));
+    high = high.cwiseMax(Point3(points.row(n)));
+  }
+  return (high - low).norm();
+}
+
+/// Adds the correction, which was solved for in units of `unit`, to the free nodes.
+void add_correction(const Extrusion& x, const LayeredSystem& system, const std::vector<float>& e,
+                    double unit, Points& points, ThreadTeam& team) {
+  team.for_chunks(x.n_columns(), columns_per_chunk, [&](long begin, long end, long) {
+    for (int c = static_cast<int>(begin); c < end; ++c)
+      for (int level = system.low[c]; level <= system.high[c]; ++level) {
+        const float* v = system.at(e.data(), c, level);
+        points.row(x.node(c, level + system.k_first)) += unit * Point3(v[0], v[1], v[2]);
+      }
+  });
+}
+
+void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+                      const LayerMotion& motion, const Residuals& residuals, double unit,
+                      const PlacementOptions& options, Points& points, PlacementReport& report,
+                      ThreadTeam& team, const Context& context) {
+  LayeredLevel level = make_layered_level(x, metric, fixed);
+  if (level.system.size() == 0) return;
+  const LayeredSystem layout = level.system;
+  std::vector<float> e = right_hand_side(x, motion, metric, residuals, layout, 1.0 / unit, team);
+  const SolverReport solved =
+      solve(std::move(level), e, {.reduction = options.reduction}, team, context);
+  add_correction(x, layout, e, unit, points, team);
+  report.was_solved = true;
+  report.n_iterations = solved.n_iterations;
+}
+
+[[noreturn]] void throw_invalid(const std::vector<long>& elements, const char* cause) {
+  throw InvalidMeshError("place", std::to_string(elements.size()) + " elements stay inverted: " + cause,
+                         {}, elements);
+}
+
+/// Untangles the elements that are not positive; throws when some stay so.
+void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+                       const PlacementOptions& options, const std::vector<long>& inverted,
+                       Points& points, ThreadTeam& team, const Context& context) {
+  if (options.sliding.empty()) {
+    const std::vector<long> hopeless = hopeless_elements(x, fixed, points, inverted);
+    if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
+  }
+  UntangleOptions how;
+  how.max_attempts = options.max_attempts;
+  how.sliding = options.sliding;
+  const std::vector<long> left =
+      untangle(x, metric, fixed, points, how, inverted, team, context).remaining;
+  if (!left.empty()) throw_invalid(left, "the mesh of the boundary leaves no room for them.");
+}
+
+/// Elements up to the threshold of improvement get better where they can.
+ElementCheck improve_poor(const Extrusion& x, const std::vector<char>& fixed,
+                          const BaseMetric& metric, const PlacementOptions& options,
+                          const std::vector<long>& poor, Points& points, ThreadTeam& team,
+                          const Context& context) {
+  UntangleOptions how;
+  how.threshold = options.improve_up_to;
+  how.max_attempts = 1;
+  how.sliding = options.sliding;
+  untangle(x, metric, fixed, points, how, poor, team, context);
+  return check_elements(x, points, options.improve_up_to, team);
+}
+
+void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+                   const PlacementOptions& options, Points& points, PlacementReport& report,
+                   ThreadTeam& team, const Context& context) {
+  ElementCheck check = check_elements(x, points, options.improve_up_to, team);
+  if (!(check.min_scaled_jacobian > 0.0)) {
+    const std::vector<long> inverted = check_elements(x, points, 0.0, team).bad;
+    report.n_inverted_before = static_cast<long>(inverted.size());
+    if (options.max_attempts > 0) {
+      untangle_inverted(x, fixed, metric, options, inverted, points, team, context);
+      check = check_elements(x, points, options.improve_up_to, team);
+    } else {
+      report.inverted = inverted;
+    }
+  }
+  if (check.min_scaled_jacobian > 0.0 && !check.bad.empty()) {
+    report.n_poor_before = static_cast<long>(check.bad.size());
+    check = improve_poor(x, fixed, metric, options, check.bad, points, team, context);
+  }
+  report.min_scaled_jacobian = check.min_scaled_jacobian;
+}
+
+}  // namespace
+
+PlacementReport place_interior(const Extrusion& extrusion, const std::vector<char>& fixed,
+                               Points& points, const PlacementOptions& options, Context& context) {
+  assert(points.rows() == extrusion.n_nodes());
+  assert(static_cast<long>(fixed.size()) == extrusion.n_nodes());
+  PlacementReport report;
+  if (extrusion.n_elements() == 0) return report;
+  ThreadTeam team(context.n_threads());
+  context.report(0.0, "Placing the interior nodes");
+  const BaseMetric metric = make_base_metric(extrusion, fixed, points);
+  const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric);
+  set_predictions(extrusion, motion, fixed, points, team);
+  const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
+  report.largest_residual = largest(residuals);
+  context.report(0.1, "Extending the boundary's residual");
+  if (report.largest_residual > options.negligible_residual * size_of(points, fixed))
+    extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
+                     points, report, team, context);
+  context.report(0.6, "Checking the elements");
+  mend_elements(extrusion, fixed, metric, options, points, report, team, context);
+  context.report(1.0, "Interior nodes placed");
+  return report;
+}
+
+VolumeMesh build_volume_mesh(const Extrusion& extrusion, Points points) {
+  if (extrusion.n_nodes() > std::numeric_limits<int>::max())
+    throw InputError("place", "The mesh has more nodes than elements can number.");
+  VolumeMesh mesh;
+  mesh.points = std::move(points);
+  for (int c = 0; c < extrusion.n_cells(); ++c) {
+    const int* columns = extrusion.cell_columns.data() + extrusion.cell_offset[c];
+    const int low = extrusion.cell_k_low[c], high = extrusion.cell_k_high[c];
+    const auto node = [&](int i, int k) { return static_cast<int>(extrusion.node(columns[i], k)); };
+    const auto ring = [&]<std::size_t n>(std::vector<std::array<int, n>>& elements) {
+      for (int k = low; k < high; ++k) {
+        std::array<int, n>& element = elements.emplace_back();
+        for (std::size_t i = 0; i < n / 2; ++i) {
+          element[i] = node(static_cast<int>(i), k);
+          element[n / 2 + i] = element[i] + 1;
+        }
+      }
+    };
+    if (extrusion.cell_size(c) == 4)
+      ring(mesh.hexahedra);
+    else if (extrusion.cell_size(c) == 3)
+      ring(mesh.prisms);
+    else
+      throw InputError("place", "A cell of the base with " +
+                                    std::to_string(extrusion.cell_size(c)) +
+                                    " corners makes neither hexahedra nor prisms.");
+  }
+  return mesh;
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,61 @@
+// Positions for the interior nodes of an extrusion.
+//
+//   1. Layers move affinely (layer_motion.h): a prediction for every node.
+//   2. What the boundary leaves over is extended harmonically into the interior, on the intrinsic
+//      idealised model (base_metric.h, layered_system.h): the sum of the harmonic coordinates of
+//      the thesis (4.2), without forming one of them. Where nothing is left over, nothing is
+//      solved.
+//   3. Elements are judged; where one is inverted, its neighbourhood is untangled.
+#pragma once
+
+#include <vector>
+
+#include "sweepmesh/base/context.h"
+#include "sweepmesh/base/geometry.h"
+#include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/untangle.h"
+#include "sweepmesh/volume/volume_mesh.h"
+
+namespace sweepmesh {
+
+struct PlacementOptions {
+  /// A residual of the boundary up to this part of the model's size counts as none, >= 0.
+  double negligible_residual = 1e-10;
+  /// Factor by which the solver reduces its own residual, in (0, 1).
+  double reduction = 1e-4;
+  /// Elements with a scaled Jacobian up to this are improved, once all are positive; in 0..1.
+  double improve_up_to = 0.2;
+  /// Attempts to untangle, each with twice the rings of neighbours; 0 leaves inverted elements alone.
+  int max_attempts = 5;
+  /// Fixed nodes that untangling and improving may move within a plane. Empty: none.
+  std::vector<SlidingNode> sliding;
+};
+
+struct PlacementReport {
+  double largest_residual = 0.0;  ///< of the boundary against the affine motion, a length
+  bool was_solved = false;        ///< false: the affine motion was enough
+  int n_iterations = 0;
+  /// Elements that are not positive; none unless untangling is switched off.
+  std::vector<long> inverted;
+  long n_inverted_before = 0;      ///< elements that had to be untangled
+  long n_poor_before = 0;          ///< elements that were to be improved
+  double min_scaled_jacobian = 1.0;
+};
+
+/// `points` has a row for every node; rows of `fixed` nodes are input, the others are set. Both
+/// ends of every run must be fixed (InputError); everything else may be fixed or free, runs may
+/// have any ranges and columns may lie over one spot. The result does not depend on the number of
+/// threads.
+///
+/// Linear in the number of nodes, about 120 bytes a node beside `points` while it solves. Throws
+/// InputError, SolverError, Cancelled, and InvalidMeshError with the elements (numbered cell by cell, from
+/// the lowest layer up) that stay inverted after untangling; `points` then hold the best that was found.
+PlacementReport place_interior(const Extrusion& extrusion, const std::vector<char>& fixed,
+                               Points& points, const PlacementOptions& options, Context& context);
+
+/// Hexahedra (cells of four columns) and prisms (of three), cell by cell, from the lowest layer up;
+/// no boundary and no owners. Throws InputError for cells with more corners or for more nodes than
+/// an element can number.
+VolumeMesh build_volume_mesh(const Extrusion& extrusion, Points points);
+
+}  // namespace sweepmesh

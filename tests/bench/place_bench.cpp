@@ -1,0 +1,141 @@
+// Time and memory of placement against the size of the mesh.
+//
+//     sweepmesh_bench_place [largest number of hexahedra, default 1e7] [repeats, default 3] [threads]
+//
+// A block of quads whose side faces bulge, so that a residual is left to solve for, and the same block
+// plainly twisted, where none is. Beside them the time to write the same array of points once, and the
+// layer-wise affine motion alone. Every row is a process of its own, so that its peak of memory is its own.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <vector>
+
+#include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/base_metric.h"
+#include "sweepmesh/volume/layer_motion.h"
+#include "sweepmesh/volume/place.h"
+#include "sweepmesh/volume/residual.h"
+
+namespace {
+
+using namespace sweepmesh;
+
+struct Case {
+  int nx, ny, n_layers;
+  long n_hexes() const { return static_cast<long>(nx) * ny * n_layers; }
+};
+
+struct Block {
+  Extrusion extrusion;
+  std::vector<char> fixed;
+  Points points;
+};
+
+/// A block nx x ny x n_layers that twists; its sides bulge by `bulge` of their own length.
+Block make_block(const Case& size, double bulge) {
+  Block b;
+  const auto column = [&](int i, int j) { return j * (size.nx + 1) + i; };
+  for (int c = 0; c < (size.nx + 1) * (size.ny + 1); ++c) b.extrusion.add_column(0, size.n_layers);
+  for (int j = 0; j < size.ny; ++j)
+    for (int i = 0; i < size.nx; ++i)
+      b.extrusion.add_cell({column(i, j), column(i + 1, j), column(i + 1, j + 1), column(i, j + 1)}, 0,
+                           size.n_layers);
+  b.points.resize(b.extrusion.n_nodes(), 3);
+  b.fixed.assign(b.extrusion.n_nodes(), 0);
+  for (int j = 0; j <= size.ny; ++j)
+    for (int i = 0; i <= size.nx; ++i)
+      for (int k = 0; k <= size.n_layers; ++k) {
+        const double x = i - 0.5 * size.nx, y = j - 0.5 * size.ny;
+        const double w = static_cast<double>(k) / size.n_layers, turn = 0.5 * w;
+        const double f = 1 + bulge * std::sin(M_PI * w) * std::sin(5.0 * M_PI * i / size.nx) *
+                                 std::cos(3.0 * M_PI * j / size.ny);
+        const bool is_bound = i == 0 || j == 0 || i == size.nx || j == size.ny;
+        const double g = is_bound ? f : 1.0;
+        const long node = b.extrusion.node(column(i, j), k);
+        b.fixed[node] = is_bound || k == 0 || k == size.n_layers;
+        b.points.row(node) << g * (std::cos(turn) * x - std::sin(turn) * y),
+            g * (std::sin(turn) * x + std::cos(turn) * y), k;
+      }
+  return b;
+}
+
+double seconds_of(int repeats, const std::function<void()>& f) {
+  double best = 1e300;
+  for (int r = 0; r < repeats; ++r) {
+    const auto start = std::chrono::steady_clock::now();
+    f();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
+}
+
+double write_arrays(Block& b, int repeats, int threads) {
+  ThreadTeam team(threads);
+  return seconds_of(repeats, [&] {
+    team.for_chunks(b.points.size(), 1 << 16, [&](long begin, long end, long) {
+      for (long i = begin; i < end; ++i) b.points.data()[i] = static_cast<double>(i);
+    });
+  });
+}
+
+double affine_only(Block& b, int repeats, int threads) {
+  ThreadTeam team(threads);
+  return seconds_of(repeats, [&] {
+    const BaseMetric metric = make_base_metric(b.extrusion, b.fixed, b.points);
+    const LayerMotion motion = make_layer_motion(b.extrusion, b.fixed, b.points, metric);
+    set_predictions(b.extrusion, motion, b.fixed, b.points, team);
+  });
+}
+
+void run(const Case& size, double bulge, int repeats, int threads) {
+  Block b = make_block(size, bulge);
+  rusage before;
+  getrusage(RUSAGE_SELF, &before);
+  PlacementReport report;
+  const double all = seconds_of(repeats, [&] {
+    Context context(threads);
+    report = place_interior(b.extrusion, b.fixed, b.points, {}, context);
+  });
+  rusage after;
+  getrusage(RUSAGE_SELF, &after);
+  const double affine = affine_only(b, repeats, threads), write = write_arrays(b, repeats, threads);
+  const double n = static_cast<double>(size.n_hexes());
+  std::printf("%10.0f %8d %6d %9s %5d %9.3f %9.1f %8.2f %8.2f %8.1f %8.0f %8.3f\n", n, size.nx * size.ny,
+              size.n_layers, bulge > 0 ? "solved" : "vanishes", report.n_iterations, all, 1e9 * all / n,
+              n / all * 1e-6, n / affine * 1e-6, n / write * 1e-6, 1024.0 * after.ru_maxrss / n,
+              report.min_scaled_jacobian);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double largest = argc > 1 ? std::atof(argv[1]) : 1e7;
+  const int repeats = argc > 2 ? std::atoi(argv[2]) : 3, threads = argc > 3 ? std::atoi(argv[3]) : 0;
+  std::printf("%10s %8s %6s %9s %5s %9s %9s %8s %8s %8s %8s %8s\n", "hexes", "base", "layers", "residual",
+              "iter", "seconds", "ns/hex", "Mhex/s", "affine", "write", "B/hex", "min SJ");
+  std::printf("%70s %8s %8s %8s %8s\n", "placed", "Mhex/s", "Mhex/s", "Mhex/s", "peak");
+  std::fflush(stdout);
+  const std::vector<Case> cases = {{22, 22, 21},    {46, 47, 46},   {100, 100, 100}, {316, 316, 10},
+                                   {32, 31, 1000},  {200, 200, 100}, {316, 316, 100}, {100, 100, 1000},
+                                   {1000, 1000, 10}};
+  for (const Case& size : cases)
+    for (const double bulge : {0.02, 0.0}) {
+      if (size.n_hexes() > 1.05 * largest) continue;
+      const pid_t child = fork();
+      if (child == 0) {
+        run(size, bulge, repeats, threads);
+        _exit(0);
+      }
+      int status = 0;
+      waitpid(child, &status, 0);
+      if (status != 0) std::printf("failed: %d\n", status);
+    }
+}

@@ -1,0 +1,27 @@
+// Solids made in code, by family, for tests of all stages. OpenCASCADE stays inside solids.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweepmesh/model/model.h"
+
+namespace sweepmesh::test {
+
+struct NamedModel {
+  std::string name;
+  Model model;
+};
+
+/// Right prisms over a square, an L, a hexagon, a disc, a ring, a plate with several holes.
+std::vector<NamedModel> prisms();
+/// Frustum of a cone, quarter of a tube's bend, tapered box, twisted square prism, lofted square to circle.
+std::vector<NamedModel> general_one_to_one();
+/// Terraced and stepped solids, many sources over one target.
+std::vector<NamedModel> many_to_one();
+/// What has no sweep: a ball, a ring torus, a box with a ball cut out of one corner.
+std::vector<NamedModel> unsweepable();
+
+Model box(double x, double y, double z);
+
+}  // namespace sweepmesh::test

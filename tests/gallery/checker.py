@@ -1,0 +1,226 @@
+"""What must be true of every swept mesh, whatever the solid: `expect_valid_sweep`.
+
+Nothing here uses the mesher's own quality or topology code, only numpy, and the CAD model for distances.
+"""
+
+import numpy
+
+from sweepmesh.engine.results import EDGE, FACE, INSIDE, VERTEX
+
+# Faces of the elements with outward normals, and the three neighbours of each corner (right-handed).
+HEX_FACES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+HEX_CORNERS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]
+PRISM_FACES = [(0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]
+PRISM_CORNERS = [(1, 2, 3), (2, 0, 4), (0, 1, 5), (5, 4, 0), (3, 5, 1), (4, 3, 2)]
+
+AREA_SLACK = 0.15
+"""A face of chords may lack this much of a curved face: a circle of four chords lacks 10 % of its length."""
+SAMPLE = 1500
+"""Distances are measured for at most so many nodes a check, spread evenly: each is a search in the CAD model."""
+
+
+def expect_valid_sweep(result, model, genus=None):
+    """Asserts that `result` is a valid mesh of `model`. `genus` is that of each shell, if known."""
+    assert result.n_elements > 0, "no elements"
+    corners = cells(result)
+    expect_conforming(result, corners)
+    expect_positive(result)
+    expect_counts(result)
+    if genus is not None:
+        expect_topology(result, corners, genus)
+    tolerance = 1e-6 * model.model_size
+    expect_on_entities(result, model, tolerance)
+    expect_faces_covered(result, model, tolerance)
+    expect_volume(result, model)
+
+
+def cells(result):
+    """[(corners, faces)] of the kinds of elements that there are."""
+    kinds = [(result.hexahedra[:, :8], HEX_FACES), (result.prisms[:, :6], PRISM_FACES)]
+    return [(nodes, faces) for nodes, faces in kinds if len(nodes)]
+
+
+def is_second_order(result):
+    """Are there mid-side nodes?"""
+    return result.hexahedra.shape[1] == 20 or result.prisms.shape[1] == 15
+
+
+def element_faces(corners):
+    """All faces of all elements as an (n, 4) array; triangles have -1 in the last column."""
+    rows = []
+    for nodes, faces in corners:
+        for face in faces:
+            columns = nodes[:, list(face)]
+            pad = numpy.full((len(nodes), 4 - len(face)), -1, columns.dtype)
+            rows.append(numpy.hstack([columns, pad]))
+    return numpy.vstack(rows)
+
+
+def boundary_polygons(result):
+    """The corners of the boundary as an (n, 4) array; triangles have -1 in the last column."""
+    starts, sizes = result.boundary_offsets[:-1], result.boundary_sizes()
+    polygons = numpy.full((len(sizes), 4), -1)
+    for column in range(4):
+        has = sizes > column
+        polygons[has, column] = result.boundary_nodes[starts[has] + column]
+    return polygons
+
+
+def rolled(polygons):
+    """The same polygons from their lowest node on, so that equal cycles are equal rows."""
+    polygons = polygons.copy()
+    for _ in range(3):
+        sizes = (polygons >= 0).sum(axis=1)
+        for size in (3, 4):
+            wrong = (sizes == size) & (polygons[:, 0] != polygons[:, :size].min(axis=1))
+            polygons[wrong, :size] = numpy.roll(polygons[wrong, :size], -1, axis=1)
+    return polygons
+
+
+def expect_conforming(result, corners):
+    """Inner faces have two elements, outer ones are the boundary's polygons, outward; no node is unused."""
+    faces = element_faces(corners)
+    _, inverse, counts = numpy.unique(numpy.sort(faces, axis=1), axis=0, return_inverse=True, return_counts=True)
+    assert counts.max() <= 2, "a face has more than two elements"
+    outer = rolled(faces[counts[inverse.ravel()] == 1])
+    given = rolled(boundary_polygons(result))
+    assert sorted(map(tuple, outer)) == sorted(map(tuple, given)), "the boundary is not that of the elements"
+    used = numpy.unique(numpy.concatenate([result.hexahedra.ravel(), result.prisms.ravel()]))
+    assert len(used) == len(result.points) and used[-1] == len(result.points) - 1, "nodes without an element"
+    on_boundary = numpy.zeros(len(result.points), bool)
+    on_boundary[result.boundary_nodes] = True
+    assert numpy.array_equal(on_boundary, result.owner_kind != INSIDE), "owners do not fit the boundary"
+
+
+def corner_jacobians(points, nodes, corners):
+    """(m, corners) determinants of the three unit edges that leave each corner."""
+    columns = []
+    for corner, others in enumerate(corners):
+        edges = points[nodes[:, list(others)]] - points[nodes[:, [corner]]]
+        lengths = numpy.linalg.norm(edges, axis=2)
+        assert lengths.min() > 0, "an edge has no length"
+        columns.append(numpy.linalg.det(edges / lengths[:, :, None]))
+    return numpy.stack(columns, axis=1)
+
+
+def expect_positive(result):
+    """Every corner of every element has a positive Jacobian, and the quality report agrees."""
+    worst = []
+    for nodes, corners in ((result.hexahedra[:, :8], HEX_CORNERS), (result.prisms[:, :6], PRISM_CORNERS)):
+        if len(nodes):
+            worst.append(corner_jacobians(result.points, nodes, corners).min(axis=1))
+    worst = numpy.concatenate(worst)
+    assert worst.min() > 0, f"{(worst <= 0).sum()} of {len(worst)} elements are inverted"
+    assert result.quality["n_inverted"] == 0
+    assert sum(result.quality["histogram"]) == len(worst)
+    if not len(result.prisms):  # prisms are scaled differently
+        assert result.quality["min_scaled_jacobian"] <= worst.min() + 1e-9
+
+
+def expect_counts(result):
+    """Edges carry as many nodes as their intervals say; a one-to-one sweep is quads times layers."""
+    order = 2 if is_second_order(result) else 1
+    on_edge = result.owner_number[result.owner_kind == EDGE]
+    for name, intervals in result.intervals.items():
+        number = int(name[len("Edge") :])
+        assert (on_edge == number).sum() == order * intervals - 1, f"{name} has other nodes than its {intervals} intervals"
+    roles = result.assessment.roles
+    sources = [int(face[len("Face") :]) for face, role in roles.items() if role == "source"]
+    targets = [int(face[len("Face") :]) for face, role in roles.items() if role == "target"]
+    if len(sources) == len(targets) == 1:
+        n_source = (result.boundary_faces == sources[0]).sum()
+        assert n_source == (result.boundary_faces == targets[0]).sum()
+        assert result.n_elements == n_source * result.n_layers
+
+
+def n_unique_edges(polygons):
+    """The number of edges of polygons with -1 for a missing fourth node; and that of directed ones."""
+    following = numpy.roll(polygons, -1, axis=1)
+    triangles = polygons[:, 3] < 0
+    following[triangles, 2] = polygons[triangles, 0]
+    pairs = numpy.stack([polygons, following], axis=2).reshape(-1, 2)
+    pairs = pairs[pairs.min(axis=1) >= 0]
+    directed = len(numpy.unique(pairs, axis=0))
+    return len(numpy.unique(numpy.sort(pairs, axis=1), axis=0)), directed
+
+
+def expect_topology(result, corners, genus):
+    """The boundary is closed and has the solid's Euler number; the complex of the elements half of it."""
+    euler = sum(2 - 2 * g for g in genus)
+    boundary = boundary_polygons(result)
+    n_edges, n_directed = n_unique_edges(boundary)
+    assert n_directed == 2 * n_edges, "the boundary is not closed"
+    on_boundary = len(numpy.unique(boundary[boundary >= 0]))
+    assert on_boundary - n_edges + len(boundary) == euler, "the boundary has another topology than the solid"
+    faces = element_faces(corners)
+    n_faces = len(numpy.unique(numpy.sort(faces, axis=1), axis=0))
+    n_all_edges, _ = n_unique_edges(faces)
+    n_corners = len(numpy.unique(faces[faces >= 0]))
+    chi = n_corners - n_all_edges + n_faces - result.n_elements
+    assert 2 * chi == euler, "the elements leave or close a void"
+
+
+def spread(items, limit=SAMPLE):
+    """At most `limit` of the items, evenly spread."""
+    return items[:: max(1, -(-len(items) // limit))]
+
+
+def expect_on_entities(result, model, tolerance):
+    """Every CAD vertex is a node; every boundary node lies on the entity that owns it."""
+    for node in numpy.flatnonzero(result.owner_kind == VERTEX):
+        exact = model.vertex_point(int(result.owner_number[node]) - 1)
+        assert numpy.linalg.norm(result.points[node] - exact) <= tolerance, "a node is off its vertex"
+    for kind, distance in ((EDGE, model.distance_to_edge), (FACE, model.distance_to_face)):
+        for node in spread(numpy.flatnonzero(result.owner_kind == kind)):
+            off = distance(int(result.owner_number[node]) - 1, result.points[node])
+            assert off <= tolerance, f"node {node} is {off:g} off its {('edge', 'face')[kind - 1]}"
+
+
+def polygon_areas(points, polygons):
+    """Half the cross product of the diagonals; a triangle's fourth corner is its first again."""
+    filled = numpy.where(polygons < 0, polygons[:, [0]], polygons)
+    p = points[filled]
+    return 0.5 * numpy.linalg.norm(numpy.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]), axis=1)
+
+
+def expect_faces_covered(result, model, tolerance):
+    """Each CAD face has polygons, all of their nodes lie on it, and their areas add up to its own."""
+    polygons = boundary_polygons(result)
+    areas = polygon_areas(result.points, polygons)
+    assert set(result.boundary_faces) == {face + 1 for face in model.faces}, "a CAD face has no polygons"
+    for face in model.faces:
+        its = result.boundary_faces == face + 1
+        exact, meshed = model.area(face), areas[its].sum()
+        assert abs(meshed - exact) <= AREA_SLACK * exact, f"Face{face + 1}: area {meshed:g}, exact {exact:g}"
+        nodes = numpy.unique(polygons[its])
+        for node in spread(nodes[nodes >= 0], 300):
+            off = model.distance_to_face(face, result.points[node])
+            assert off <= tolerance, f"node {node} is {off:g} off Face{face + 1}"
+
+
+def mesh_volume(result):
+    """Volume inside the boundary, by the divergence theorem; each quad is two triangles, both ways, averaged."""
+    origin = result.points.mean(axis=0)
+    total = 0.0
+    for polygon in (boundary_polygons(result),):
+        filled = numpy.where(polygon < 0, polygon[:, [0]], polygon)
+        a, b, c, d = (result.points[filled[:, i]] - origin for i in range(4))
+        for x, y, z in ((a, b, c), (a, c, d), (b, c, d), (b, d, a)):
+            total += numpy.einsum("ij,ij->i", x, numpy.cross(y, z)).sum() / 12
+    return total
+
+
+def expect_volume(result, model):
+    """The volume is the solid's, but for what the chords cut off: at most area times the largest sag."""
+    polygons = boundary_polygons(result)
+    filled = numpy.where(polygons < 0, polygons[:, [0]], polygons)
+    centres = result.points[filled].mean(axis=1)
+    sag = max(
+        model.distance_to_face(int(result.boundary_faces[i]) - 1, centres[i])
+        for i in spread(numpy.arange(len(centres)), 500)
+    )
+    area = polygon_areas(result.points, polygons).sum()
+    slack = 2 * sag * area + 1e-9 * model.volume
+    assert abs(mesh_volume(result) - model.volume) <= slack, (
+        f"volume {mesh_volume(result):g}, exact {model.volume:g}, allowed difference {slack:g}"
+    )

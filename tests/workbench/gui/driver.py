@@ -1,0 +1,161 @@
+"""Mouse, pictures and bookkeeping for macros that test the GUI from inside FreeCAD."""
+import json
+import os
+import pathlib
+import subprocess
+import time
+import traceback
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+from PySide2.QtTest import QTest
+
+OUT = pathlib.Path(os.environ["SWEEPMESH_TEST_OUT"])
+LEFT, NO_KEY, CONTROL = QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.Qt.ControlModifier
+
+results = {"checks": {}, "values": {}}
+
+
+def go(steps):
+    """Run `steps` once FreeCAD is up; write results.json and end FreeCAD, whatever happens."""
+    QtCore.QTimer.singleShot(0, lambda: _run(steps))
+
+
+def _run(steps):
+    try:
+        main_window().resize(1280, 900)
+        FreeCADGui.activateWorkbench("SweepMeshWorkbench")
+        steps()
+    except BaseException:
+        results["error"] = traceback.format_exc()
+        picture("error")
+    (OUT / "results.json").write_text(json.dumps(results, indent=1))
+    os._exit(1 if "error" in results else 0)
+
+
+def check(name, truth):
+    """Note whether something is as it should be; the test outside reports what was not."""
+    results["checks"][name] = bool(truth)
+
+
+def note(name, value):
+    results["values"][name] = value
+
+
+def main_window():
+    return FreeCADGui.getMainWindow()
+
+
+def settle(seconds=0.25):
+    """Let Qt work for a while."""
+    end = time.time() + seconds
+    while time.time() < end:
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+        time.sleep(0.005)
+
+
+def wait_for(condition, seconds=30):
+    """Let Qt work until `condition()`; False when it did not come true in time."""
+    end = time.time() + seconds
+    while time.time() < end:
+        if condition():
+            return True
+        settle(0.03)
+    return False
+
+
+def picture(name):
+    """Write a picture of the whole screen."""
+    settle()
+    subprocess.run(["import", "-window", "root", str(OUT / f"{name}.png")], check=False)
+
+
+def view():
+    return FreeCADGui.ActiveDocument.ActiveView
+
+
+def show_all(direction="Axonometric"):
+    """Look at everything from `direction`; a little room is left at the borders."""
+    getattr(view(), f"view{direction}")()
+    view().fitAll()
+    settle()
+
+
+def click_point(point, key=NO_KEY):
+    """Click with the left button on a point of space, as it appears in the 3D view."""
+    canvas = _canvas()
+    x, y = view().getPointOnScreen(FreeCAD.Vector(*point))
+    at = QtCore.QPoint(x, canvas.height() - 1 - y)
+    QTest.mouseMove(canvas, at)
+    settle(0.1)
+    QTest.mouseClick(canvas, LEFT, key, at)
+    settle(0.2)
+
+
+def click_face(obj, name, key=NO_KEY):
+    """Click on the middle of a face that can be seen."""
+    face = obj.Shape.getElement(name)
+    u0, u1, v0, v1 = face.ParameterRange
+    click_point(face.valueAt((u0 + u1) / 2, (v0 + v1) / 2), key)
+
+
+def _canvas():
+    for widget in main_window().findChildren(QtGui.QWidget):
+        if "QuarterWidget" in widget.metaObject().className() and widget.isVisible():
+            return widget
+    raise LookupError("There is no 3D view.")
+
+
+def press(button):
+    """Click on a button of a panel or a toolbar."""
+    QTest.mouseClick(button, LEFT, NO_KEY)
+    settle()
+
+
+def tool_button(text):
+    """The button of a command in a toolbar, by its text."""
+    for button in main_window().findChildren(QtGui.QToolButton):
+        action = button.defaultAction()
+        if action and action.text().replace("&", "") == text and button.isVisible():
+            return button
+    raise LookupError(f"There is no button '{text}'.")
+
+
+def panel_button(text):
+    """A button of the task panel, its OK and Cancel included."""
+    for button in main_window().findChildren(QtGui.QAbstractButton):
+        if button.text().replace("&", "") == text and button.isVisible():
+            return button
+    raise LookupError(f"There is no button '{text}'.")
+
+
+def widget(name):
+    """A visible widget of the panel by its name in the form."""
+    for found in main_window().findChildren(QtGui.QWidget, name):
+        if found.isVisible():
+            return found
+    raise LookupError(f"There is no widget '{name}'.")
+
+
+def rows(name):
+    """The texts of a list of the panel; none while there is no such list."""
+    try:
+        shown = widget(name)
+    except LookupError:
+        return []
+    return [shown.item(i).text() for i in range(shown.count())]
+
+
+def type_into(name, text):
+    """Replace what an input field holds, as a user does, and leave it."""
+    field = widget(name)
+    field.setFocus()
+    QTest.keyClick(field, QtCore.Qt.Key_A, CONTROL)
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, QtCore.Qt.Key_Tab)
+    settle(0.1)
+
+
+def is_panel_open():
+    return bool(FreeCADGui.Control.activeDialog())
