@@ -10,6 +10,7 @@ from sweepmesh.cli import report as reports
 from sweepmesh.cli import shapes
 from sweepmesh.cli.arguments import make_parser
 from sweepmesh.cli.progress import progress_bar
+from sweepmesh.cli.writing import write_all
 
 DONE, FAILED, UNSWEEPABLE = 0, 1, 2
 """Exit statuses."""
@@ -23,7 +24,7 @@ def main(arguments=None):
     try:
         status = _run(make_parser().parse_args(arguments))
     except engine.SweepMeshError as error:
-        status = _fail(str(error))
+        status = _fail(str(error).replace("lift the limit", "lift the limit with --force"))
     except KeyboardInterrupt:
         status = _fail("Interrupted; files that were not finished are not left behind.")
     except BrokenPipeError:
@@ -74,7 +75,7 @@ def _work(arguments, state):
         _warn(warning)
     with _timed(seconds, "write"):
         if result.assessment.is_sweepable:
-            _write_files(arguments.out, result, shape, options)
+            write_all(arguments.out, result, shape, options)
 
 
 def make_options(arguments, model):
@@ -90,13 +91,6 @@ def make_options(arguments, model):
         targets=[shapes.face_number(model, face) for face in arguments.target],
         pairs=[shapes.face_pair(model, pair) for pair in arguments.pair],
     )
-
-
-def _write_files(paths, result, shape, options):
-    for path in paths:
-        is_document = path.lower().endswith(".fcstd")
-        made = shapes.document_object(shape) if is_document else None
-        output.write(result, path, made, options)
 
 
 def _write_report(path, **state):

@@ -15,11 +15,11 @@ from sweepmesh.cli.progress import progress_bar
 from sweepmesh.demo import analysis as fem
 from sweepmesh.demo import picture
 from sweepmesh.engine.writers import vtu
-from sweepmesh.freecad import import_freecad
+from sweepmesh.freecad import import_freecad, muted
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PART = ROOT / "Resources" / "examples" / "manifold_elbow.step"
-SIZE, FORCE = 2.2, 2000
+SIZE, FORCE = 3.0, 2000
 FIXED, LOADED = (-25.0, 0.0, -60.0), (60.0, 0.0, 25.0)
 """Points on the two ends of the part."""
 
@@ -30,7 +30,8 @@ def main(folder):
     files = {suffix: folder / (PART.stem + suffix) for suffix in (".vtu", ".inp", ".FCStd", ".png")}
     seconds = {}
     print(f"{PART.name}: a 90 degree elbow with three channels, swept from end to end\n")
-    shape = shapes.read_shape(PART)
+    with _timed(seconds, "read"):
+        shape = shapes.read_shape(PART)
     options = Options(size=SIZE)
     with progress_bar(True) as progress:
         result = engine.mesh(shape.model, options, progress)
@@ -56,11 +57,11 @@ def main(folder):
 def _analyse(shape, options, result, path):
     """FreeCAD's document with part, mesh and solved analysis, saved as `path`; displacements and stresses."""
     import_freecad()
-    part = shapes.document_object(shape)
+    part = shapes.document_object(shape.source)
     ends = [f"Face{engine.face_at(shape.model, point)}" for point in (FIXED, LOADED)]
     analysis = fem.make_analysis(part, *ends, FORCE, _straight_edge(part))
     output.add_sweep_mesh(result, part, options, analysis)
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, muted():
         solved = fem.solve(analysis, folder)
     with output.replacing(path) as temporary:
         part.Document.saveCopy(str(temporary))
