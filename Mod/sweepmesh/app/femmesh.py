@@ -15,15 +15,14 @@ import numpy as np
 
 from sweepmesh.app.vtu import write_vtu
 from sweepmesh.engine.errors import input_error
+from sweepmesh.engine.numbering import HEXAHEDRON_TO_SMESH, PRISM_TO_SMESH
 
-# nodes per element -> (VTK cell type, FreeCAD's node k is the engine's node order[k])
-_HEX = [0, 3, 2, 1, 4, 7, 6, 5]
-_PRISM = [0, 2, 1, 3, 5, 4]
+# nodes per element -> (VTK's number of the kind, FreeCAD's node k is the engine's node order[k])
 _VOLUMES = {
-    8: (12, _HEX),
-    20: (25, _HEX + [11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]),
-    6: (13, _PRISM),
-    15: (26, _PRISM + [8, 7, 6, 11, 10, 9, 12, 14, 13]),
+    8: (12, HEXAHEDRON_TO_SMESH),
+    20: (25, HEXAHEDRON_TO_SMESH + [11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]),
+    6: (13, PRISM_TO_SMESH),
+    15: (26, PRISM_TO_SMESH + [8, 7, 6, 11, 10, 9, 12, 14, 13]),
 }
 _FACES = {3: 5, 4: 9, 6: 22, 8: 23}
 
@@ -93,7 +92,8 @@ def _add_groups(mesh, n_volumes, faces, face_numbers):
         first += len(cells)
     for number in ids:
         _add_group(mesh, f"Face{number}", "Face", ids[number])
-        _add_group(mesh, f"Face{number}_Nodes", "Node", (np.unique(np.concatenate(nodes[number])) + 1).tolist())
+        on_face = np.unique(np.concatenate(nodes[number])) + 1
+        _add_group(mesh, f"Face{number}_Nodes", "Node", on_face.tolist())
 
 
 def _add_group(mesh, name, kind, ids):

@@ -87,7 +87,9 @@ def tetrahedra(size):
     [(Cantilever, 1.25, 2.5, 0.02), (BentPipe, 2.0, 3.0, 0.03)],
     ids=["cantilever brick", "bent pipe"],
 )
-def test_swept_mesh_agrees_with_theory_and_with_fine_tetrahedra(part, size, fine, tolerance, document, tmp_path, record_property):
+def test_swept_mesh_agrees_with_theory_and_with_fine_tetrahedra(
+    part, size, fine, tolerance, document, tmp_path, record_property
+):
     mine = deflection(part, document, tmp_path, swept(size, sources=[part.fixed], targets=[part.loaded]))
     other = FreeCAD.newDocument()
     tets = deflection(part, other, tmp_path, tetrahedra(fine))
