@@ -19,7 +19,7 @@ from sweepmesh.freecad import import_freecad, muted
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PART = ROOT / "Resources" / "examples" / "manifold_elbow.step"
-SIZE, FORCE = 3.0, 2000
+SIZE, FORCE = 2.5, 2000
 FIXED, LOADED = (-25.0, 0.0, -60.0), (60.0, 0.0, 25.0)
 """Points on the two ends of the part."""
 
