@@ -21,10 +21,15 @@ NO_LIMIT = 2**31 - 1
 
 def main(arguments=None):
     """Runs the command line and ends the process with its exit status."""
+    end_with(lambda: _run(make_parser().parse_args(arguments)))
+
+
+def end_with(work):
+    """Ends the process with the status that `work` returns; whatever it raises becomes a sentence and FAILED."""
     try:
-        status = _run(make_parser().parse_args(arguments))
+        status = work()
     except engine.SweepMeshError as error:
-        status = _fail(str(error).replace("lift the limit", "lift the limit with --force"))
+        status = _fail(str(error))
     except KeyboardInterrupt:
         status = _fail("Interrupted; files that were not finished are not left behind.")
     except BrokenPipeError:
@@ -44,6 +49,8 @@ def _run(arguments):
     try:
         _work(arguments, state)
     except engine.SweepMeshError as error:
+        if not arguments.force:
+            error.args = (str(error).replace("lift the limit", "lift the limit with --force"),)
         _write_report(arguments.report, error=error, **state)
         raise
     state["seconds"]["total"] = time.perf_counter() - started

@@ -2,7 +2,6 @@
 
 import contextlib
 import pathlib
-import sys
 import tempfile
 import time
 
@@ -11,6 +10,7 @@ import numpy
 from sweepmesh import Options, SweepMeshError, engine, output
 from sweepmesh.cli import report as reports
 from sweepmesh.cli import shapes
+from sweepmesh.cli.main import DONE, end_with
 from sweepmesh.cli.progress import progress_bar
 from sweepmesh.demo import analysis as fem
 from sweepmesh.demo import picture
@@ -25,7 +25,7 @@ FIXED, LOADED = (-25.0, 0.0, -60.0), (60.0, 0.0, 25.0)
 
 
 def main(folder):
-    """Does it all; files go to `folder`."""
+    """Does it all; files go to `folder`. Returns the exit status."""
     folder.mkdir(exist_ok=True)
     files = {suffix: folder / (PART.stem + suffix) for suffix in (".vtu", ".inp", ".FCStd", ".png")}
     seconds = {}
@@ -52,6 +52,7 @@ def main(folder):
         picture.draw(files[".vtu"], files[".png"])
     for path in files.values():
         print(f"{path.relative_to(ROOT)}  {path.stat().st_size / 1e6:.2f} MB")
+    return DONE
 
 
 def _analyse(shape, options, result, path):
@@ -89,7 +90,4 @@ def _timed(seconds, stage):
 
 
 if __name__ == "__main__":
-    try:
-        main(ROOT / "out")
-    except SweepMeshError as error:
-        sys.exit(f"sweepmesh: {error}")
+    end_with(lambda: main(ROOT / "out"))

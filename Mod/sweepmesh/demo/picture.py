@@ -201,7 +201,7 @@ def _add_view(vtk, window, span, content, view, up):
     camera.SetViewAngle(20)
     renderer.ResetCamera()
     camera.Zoom(1.13)
-    camera.SetWindowCenter(0.0, -0.1)
+    camera.SetWindowCenter(0.0, -0.15)
     renderer.ResetCameraClippingRange()
 
 
@@ -212,7 +212,7 @@ def _bar(vtk, colours):
     bar.SetNumberOfLabels(5)
     bar.SetLabelFormat("%.3g")
     bar.SetTextPositionToPrecedeScalarBar()
-    bar.SetPosition(0.25, 0.055)
+    bar.SetPosition(0.25, 0.06)
     bar.SetWidth(0.5)
     bar.SetHeight(0.055)
     bar.SetUnconstrainedFontSize(True)
