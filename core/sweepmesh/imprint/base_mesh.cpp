@@ -6,6 +6,7 @@
 
 #include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
+#include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
@@ -51,6 +52,19 @@ int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
   return n_flat;
 }
 
+/// Where every candidate has flat corners: the same with a ring of cells along the boundary, in which
+/// every node has two cells at least.
+void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Context& context,
+                std::vector<PlanarMesh>& candidates) {
+  if (std::any_of(candidates.begin(), candidates.end(),
+                  [&](const PlanarMesh& m) { return n_flat_corners(m, angles) == 0; }))
+    return;
+  for (std::size_t i = 0, n = candidates.size(); i < n; ++i) {
+    const PlanarMesh ringed = smoothed(with_rings(candidates[i], loops, angles), {}, context);
+    candidates.push_back(smoothed(with_regular_valences(ringed, angles), {}, context));
+  }
+}
+
 PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
                           const Context& context) {
   const auto rank = [&](const PlanarMesh& m) {
@@ -77,8 +91,9 @@ void add_patch(const Model& model, const Imprint& imprint, const std::vector<int
     }
   }
   const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
-  const PlanarMesh mesh =
-      best_candidate(candidate_meshes(loops, options, angles, context), angles, context);
+  std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
+  if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
+  const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
   for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
     base.points.push_back(mesh.points[i]);

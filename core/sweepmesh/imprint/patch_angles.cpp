@@ -46,6 +46,7 @@ BoundaryAngles patch_angles(const Model& model, const Imprint& imprint,
                             const std::vector<int>& counts, const Patch& patch,
                             const PlanarLoops& plane) {
   BoundaryAngles rows = {interior_angles(plane)};
+  std::vector<char> is_given(rows.front().size(), false);
   for (const Run& run : patch.runs)
     for (const bool is_source : {false, true}) {
       std::vector<double> row = rows.front();
@@ -54,8 +55,11 @@ BoundaryAngles patch_angles(const Model& model, const Imprint& imprint,
         for (std::size_t i = 0; i < loop.size(); ++i) {
           const DirectedEdge before = loop[(i + loop.size() - 1) % loop.size()];
           if (const auto angle = cap_angle(model, imprint, counts, before, loop[i],
-                                           is_source ? run.source : run.target, is_source))
+                                           is_source ? run.source : run.target, is_source)) {
             row[node] = *angle;
+            if (!is_given[node]) rows.front()[node] = *angle;
+            is_given[node] = true;
+          }
           node += counts[loop[i].edge];
         }
       rows.push_back(std::move(row));
