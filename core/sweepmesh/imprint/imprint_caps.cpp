@@ -6,6 +6,7 @@
 #include "sweepmesh/imprint/overlay.h"
 #include "sweepmesh/imprint/patches.h"
 #include "sweepmesh/imprint/reference.h"
+#include "sweepmesh/imprint/slab_reference.h"
 #include "sweepmesh/imprint/sweep_levels.h"
 #include "sweepmesh/imprint/walls.h"
 
@@ -28,12 +29,13 @@ void check(const ImprintOptions& options) {
 
 Reference reference_of(const Model& model, const Scheme& scheme, const Walls& walls,
                        const std::vector<int>& level, double tolerance, const Context& context) {
-  if (const auto direction = common_direction(model, scheme, level, tolerance))
-    if (auto reference = projected_reference(model, walls, *direction, tolerance, context))
-      return std::move(*reference);
-  throw ImprintError(ImprintFailure::unreachable,
-                     "The columns of the sweep do not stand over each other along one direction.",
-                     {});
+  const auto direction = mean_direction(model, scheme, level);
+  if (!direction)
+    throw ImprintError(ImprintFailure::unreachable,
+                       "The columns of the sweep do not run along one direction.", {});
+  Reference seen = projected_reference(model, walls, *direction, tolerance, context);
+  if (is_upright(walls, seen)) return seen;
+  return slab_reference(model, scheme, walls, *direction, seen);
 }
 
 }  // namespace
