@@ -71,6 +71,10 @@ void bind_sweep(py::module_& module) {
           py::return_value_policy::reference_internal)
       .def_property_readonly("hexahedra", property(8, &VolumeMesh::hexahedra))
       .def_property_readonly("prisms", property(6, &VolumeMesh::prisms))
+      .def_property_readonly("hexahedron_mid_nodes",
+                             property(12, &VolumeMesh::hexahedron_mid_nodes))
+      .def_property_readonly("prism_mid_nodes", property(9, &VolumeMesh::prism_mid_nodes))
+      .def_property_readonly("boundary_mid_nodes", property(1, &VolumeMesh::boundary_mid_nodes))
       .def_property_readonly("boundary_offset", property(1, &VolumeMesh::boundary_offset))
       .def_property_readonly("boundary_nodes", property(1, &VolumeMesh::boundary_nodes))
       .def_property_readonly("boundary_face", property(1, &VolumeMesh::boundary_face))

@@ -3,15 +3,17 @@
 import contextlib
 import os
 import pathlib
+import tempfile
 
 from sweepmesh.engine.errors import input_error
-from sweepmesh.engine.writers import vtu
+from sweepmesh.engine.writers import inp, vtu
+from sweepmesh.freecad import import_freecad
 
 
 def write(result, path, document_object=None, options=None):
     """Writes a Result to `path` (.vtu, .inp, .unv, .med or .FCStd).
 
-    All but .vtu go through FreeCAD, which must be importable. An .FCStd file becomes the document of
+    .vtu and .inp need nothing else, the others go through FreeCAD. An .FCStd file becomes the document of
     `document_object` (the object with the meshed shape) with a mesh object made from `options` added, or
     a document with the mesh alone where none is given. The file appears whole or not at all. Raises
     InputError for another suffix or a file that cannot be written.
@@ -39,14 +41,25 @@ def check_path(path):
 
 @contextlib.contextmanager
 def replacing(path):
-    """A temporary name beside `path` that takes its place when the block ends well, and else vanishes."""
+    """A temporary path of the same name; its file takes the place of `path` when the block ends well.
+
+    The name is kept because FreeCAD writes it into some formats and looks for it there.
+    """
     path = pathlib.Path(path)
-    temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
-    try:
+    with tempfile.TemporaryDirectory(prefix=f".{path.name}.", dir=path.parent) as folder:
+        temporary = pathlib.Path(folder) / path.name
         yield temporary
         os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+
+
+def add_sweep_mesh(result, document_object, options, analysis=None):
+    """Adds a sweep mesh object with this Result to the document of the object that was meshed."""
+    from sweepmesh.app import remembered
+    from sweepmesh.app.make import make_sweep_mesh
+    from sweepmesh.app.shapes import brep_of
+
+    remembered.remember(brep_of(document_object), options, result)
+    return make_sweep_mesh(document_object, options, analysis)
 
 
 def _write_vtu(path, result, _object, _options):
@@ -54,7 +67,7 @@ def _write_vtu(path, result, _object, _options):
 
 
 def _write_inp(path, result, _object, _options):
-    _femmesh(result).writeABAQUS(str(path), 1, True)
+    inp.write_result(path, result)
 
 
 def _write_freecad(path, result, _object, _options):
@@ -62,24 +75,18 @@ def _write_freecad(path, result, _object, _options):
 
 
 def _write_document(path, result, document_object, options):
-    from sweepmesh.freecad import import_freecad
-
     freecad = import_freecad()
     if document_object is None:
         document = freecad.newDocument("SweepMesh", hidden=True, temp=True)
         document.addObject("Fem::FemMeshObject", "SweepMesh").FemMesh = _femmesh(result)
     else:
-        from sweepmesh.app.make import make_sweep_mesh
-
         document = document_object.Document
-        make_sweep_mesh(document_object, options)
+        add_sweep_mesh(result, document_object, options)
     document.recompute()
     document.saveCopy(str(path))
 
 
 def _femmesh(result):
-    from sweepmesh.freecad import import_freecad
-
     import_freecad()
     from sweepmesh.app.femmesh import to_femmesh
 

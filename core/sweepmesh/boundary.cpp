@@ -57,7 +57,8 @@ std::vector<CapNode> feet(const Model& model, FaceId target, const CapMesh& sour
   std::vector<CapNode> out;
   for (const NodeId node : source.boundary) {
     const ColumnId c = column_at[node.index];
-    const auto foot = c.is_valid() ? on_target.find(columns[c.index].nodes.front()) : on_target.end();
+    const auto foot =
+        c.is_valid() ? on_target.find(columns[c.index].nodes.front()) : on_target.end();
     if (foot == on_target.end())
       throw InvalidMeshError("surface",
                              "The linking faces do not lead from " + name_of(source.face) + " to " +
@@ -68,8 +69,9 @@ std::vector<CapNode> feet(const Model& model, FaceId target, const CapMesh& sour
   return out;
 }
 
-/// Adds the columns inside the caps and the runs of all cells. `up` and `down` are the nodes of the source and
-/// of the target, in the same order; the first of them are the boundary's and have columns already.
+/// Adds the columns inside the caps and the runs of all cells. `up` and `down` are the nodes of the
+/// source and of the target, in the same order; the first of them are the boundary's and have
+/// columns already.
 void add_inner_columns(const CapMesh& source, const std::vector<NodeId>& up,
                        const std::vector<NodeId>& down, std::vector<ColumnId> column_at,
                        BoundaryMesh& mesh) {
@@ -105,9 +107,9 @@ BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Inter
 
   const CapLoops loops = cap_loops(model, source, edges.edge, edges.parameters.t);
   const CapMesh upper = mesh_cap(model, source, loops, options.size, kind, context);
-  const CapMesh lower = map_cap(model, upper, target,
-                                feet(model, target, upper, edges, mesh.columns, column_at),
-                                options.size, context);
+  const CapMesh lower =
+      map_cap(model, upper, target, feet(model, target, upper, edges, mesh.columns, column_at),
+              options.size, context);
   const std::vector<NodeId> up = add_cap(upper, mesh.surface);
   const std::vector<NodeId> down = add_cap(lower, mesh.surface);
   add_inner_columns(upper, up, down, column_at, mesh);

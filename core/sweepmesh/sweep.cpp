@@ -1,12 +1,14 @@
 #include "sweepmesh/sweep.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
+#include "sweepmesh/boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/wishes.h"
-#include "sweepmesh/boundary.h"
 #include "sweepmesh/second_order_on_model.h"
 #include "sweepmesh/volume/place.h"
 
@@ -54,6 +56,14 @@ void check_options(const SweepOptions& options) {
     refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
 }
 
+void check_picks(const Picks& picks) {
+  for (const FaceId source : picks.sources)
+    if (std::find(picks.targets.begin(), picks.targets.end(), source) != picks.targets.end())
+      refuse(name_of(source) + " is given as a source and as a target.", {name_of(source)});
+  for (const auto& [source, target] : picks.pairs)
+    if (source == target) refuse(name_of(source) + " is paired with itself.", {name_of(source)});
+}
+
 IntervalOptions interval_options(const SweepOptions& options, double size) {
   IntervalOptions out;
   out.size = size;
@@ -73,9 +83,10 @@ void refuse_explosion(const Model& model, const SweepOptions& options, double si
   double expected = expected_elements(model, intervals);
   if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
   if (expected <= static_cast<double>(options.max_elements)) return;
-  refuse("About " + in_millions(expected) + " elements are to be expected, more than the limit of " +
+  refuse("About " + in_millions(expected) +
+         " elements are to be expected, more than the limit of " +
          in_millions(static_cast<double>(options.max_elements)) +
-         "; choose a larger size, or lift the limit.");
+         "; choose a larger size, or lift the limit with --force (max_elements in Python).");
 }
 
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
@@ -83,10 +94,11 @@ VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   const PlacementReport report =
       place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
   if (!report.inverted.empty())
-    throw InvalidMeshError("place",
-                           std::to_string(report.inverted.size()) +
-                               " elements stay inverted: no valid position of the nodes inside was found.",
-                           {}, report.inverted);
+    throw InvalidMeshError(
+        "place",
+        std::to_string(report.inverted.size()) +
+            " elements stay inverted: no valid position of the nodes inside was found.",
+        {}, report.inverted);
   VolumeMesh mesh = build_volume_mesh(assembly.extrusion, std::move(assembly.points));
   add_boundary(boundary.surface, assembly, mesh);
   return mesh;
@@ -102,6 +114,7 @@ double default_size(const Model& model) {
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context) {
   check_options(options);
+  check_picks(picks);
   SweepResult result;
   StageClock clock(result.seconds);
   result.size = options.size.value_or(default_size(model));
@@ -114,8 +127,8 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.1, "Choosing intervals");
   const IntervalOptions intervals = interval_options(options, result.size);
-  result.intervals = clock.run(
-      "intervals", [&] { return assign_intervals(model, scheme, intervals, context); });
+  result.intervals =
+      clock.run("intervals", [&] { return assign_intervals(model, scheme, intervals, context); });
   if (!result.intervals.is_optimal)
     result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
 

@@ -63,6 +63,8 @@ def test_quiet_prints_nothing(sweepmesh, shapes):
         (["--source", "30,20,0", "--target", "30,20,25"], "Face5", "Face6"),
         (["--pair", "Face1=Face2"], "Face1", "Face2"),
         (["--pair", "0,20,12.5=60,20,12.5"], "Face1", "Face2"),
+        (["--source", "-1e-9,20,12.5"], "Face1", "Face2"),
+        (["--pair", "-1e-9,20,12.5=60,20,12.5"], "Face1", "Face2"),
     ],
 )
 def test_faces_are_picked_by_name_or_point(sweepmesh, shapes, tmp_path, picks, source, target):

@@ -35,9 +35,14 @@ def expect_valid_sweep(result, model, genus=None):
 
 
 def cells(result):
-    """[(connectivity, faces)] of the kinds of elements that there are."""
-    kinds = [(result.hexahedra, HEX_FACES), (result.prisms, PRISM_FACES)]
+    """[(corners, faces)] of the kinds of elements that there are."""
+    kinds = [(result.hexahedra[:, :8], HEX_FACES), (result.prisms[:, :6], PRISM_FACES)]
     return [(nodes, faces) for nodes, faces in kinds if len(nodes)]
+
+
+def is_second_order(result):
+    """Are there mid-side nodes?"""
+    return result.hexahedra.shape[1] == 20 or result.prisms.shape[1] == 15
 
 
 def element_faces(corners):
@@ -52,8 +57,8 @@ def element_faces(corners):
 
 
 def boundary_polygons(result):
-    """The boundary as an (n, 4) array; triangles have -1 in the last column."""
-    starts, sizes = result.boundary_offsets[:-1], numpy.diff(result.boundary_offsets)
+    """The corners of the boundary as an (n, 4) array; triangles have -1 in the last column."""
+    starts, sizes = result.boundary_offsets[:-1], result.boundary_sizes()
     polygons = numpy.full((len(sizes), 4), -1)
     for column in range(4):
         has = sizes > column
@@ -80,7 +85,7 @@ def expect_conforming(result, corners):
     outer = rolled(faces[counts[inverse.ravel()] == 1])
     given = rolled(boundary_polygons(result))
     assert sorted(map(tuple, outer)) == sorted(map(tuple, given)), "the boundary is not that of the elements"
-    used = numpy.unique(numpy.concatenate([nodes.ravel() for nodes, _ in corners]))
+    used = numpy.unique(numpy.concatenate([result.hexahedra.ravel(), result.prisms.ravel()]))
     assert len(used) == len(result.points) and used[-1] == len(result.points) - 1, "nodes without an element"
     on_boundary = numpy.zeros(len(result.points), bool)
     on_boundary[result.boundary_nodes] = True
@@ -101,7 +106,7 @@ def corner_jacobians(points, nodes, corners):
 def expect_positive(result):
     """Every corner of every element has a positive Jacobian, and the quality report agrees."""
     worst = []
-    for nodes, corners in ((result.hexahedra, HEX_CORNERS), (result.prisms, PRISM_CORNERS)):
+    for nodes, corners in ((result.hexahedra[:, :8], HEX_CORNERS), (result.prisms[:, :6], PRISM_CORNERS)):
         if len(nodes):
             worst.append(corner_jacobians(result.points, nodes, corners).min(axis=1))
     worst = numpy.concatenate(worst)
@@ -114,10 +119,11 @@ def expect_positive(result):
 
 def expect_counts(result):
     """Edges carry as many nodes as their intervals say; a one-to-one sweep is quads times layers."""
+    order = 2 if is_second_order(result) else 1
     on_edge = result.owner_number[result.owner_kind == EDGE]
     for name, intervals in result.intervals.items():
         number = int(name[len("Edge") :])
-        assert (on_edge == number).sum() == intervals - 1, f"{name} has other nodes than its {intervals} intervals"
+        assert (on_edge == number).sum() == order * intervals - 1, f"{name} has other nodes than its {intervals} intervals"
     roles = result.assessment.roles
     sources = [int(face[len("Face") :]) for face, role in roles.items() if role == "source"]
     targets = [int(face[len("Face") :]) for face, role in roles.items() if role == "target"]
@@ -144,12 +150,13 @@ def expect_topology(result, corners, genus):
     boundary = boundary_polygons(result)
     n_edges, n_directed = n_unique_edges(boundary)
     assert n_directed == 2 * n_edges, "the boundary is not closed"
-    on_boundary = len(numpy.unique(result.boundary_nodes))
+    on_boundary = len(numpy.unique(boundary[boundary >= 0]))
     assert on_boundary - n_edges + len(boundary) == euler, "the boundary has another topology than the solid"
     faces = element_faces(corners)
     n_faces = len(numpy.unique(numpy.sort(faces, axis=1), axis=0))
     n_all_edges, _ = n_unique_edges(faces)
-    chi = len(result.points) - n_all_edges + n_faces - result.n_elements
+    n_corners = len(numpy.unique(faces[faces >= 0]))
+    chi = n_corners - n_all_edges + n_faces - result.n_elements
     assert 2 * chi == euler, "the elements leave or close a void"
 
 

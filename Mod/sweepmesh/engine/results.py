@@ -60,13 +60,13 @@ class Result:
     points: numpy.ndarray
     """(n, 3) float64."""
     hexahedra: numpy.ndarray
-    """(m, 8) int32, in VTK's order of nodes."""
+    """(m, 8) int32, in VTK's order of nodes; (m, 20) for second order."""
     prisms: numpy.ndarray
-    """(m, 6) int32, first ring counterclockwise seen from the second (Abaqus' order)."""
+    """(m, 6) int32, first ring counterclockwise seen from the second (Abaqus' order); (m, 15) for second order."""
     boundary_offsets: numpy.ndarray
     """Polygon i of the boundary has the nodes boundary_nodes[boundary_offsets[i]:boundary_offsets[i + 1]]."""
     boundary_nodes: numpy.ndarray
-    """int32, counterclockwise seen from outside."""
+    """int32, counterclockwise seen from outside; for second order the mid-side nodes follow the corners."""
     boundary_faces: numpy.ndarray
     """int32, per polygon: the number of its CAD face, 7 for Face7."""
     owner_kind: numpy.ndarray
@@ -91,17 +91,23 @@ class Result:
         """Volume elements of all kinds."""
         return len(self.hexahedra) + len(self.prisms)
 
+    def boundary_sizes(self):
+        """Corners of each polygon of the boundary: 3 or 4, mid-side nodes not counted."""
+        order = 2 if self.hexahedra.shape[1] == 20 or self.prisms.shape[1] == 15 else 1
+        return numpy.diff(self.boundary_offsets) // order
+
     @classmethod
     def from_core(cls, core, scaled_jacobians):
         """From the C++ module's SweepResult; large arrays are views of its memory."""
         inside = core.owner_index < 0
+        offsets, nodes = _boundary(core)
         return cls(
             assessment=Assessment.from_core(core.assessment),
             points=core.points,
-            hexahedra=core.hexahedra,
-            prisms=core.prisms,
-            boundary_offsets=core.boundary_offset,
-            boundary_nodes=core.boundary_nodes,
+            hexahedra=_with_mid_nodes(core.hexahedra, core.hexahedron_mid_nodes),
+            prisms=_with_mid_nodes(core.prisms, core.prism_mid_nodes),
+            boundary_offsets=offsets,
+            boundary_nodes=nodes,
             boundary_faces=core.boundary_face + 1,
             owner_kind=numpy.where(inside, INSIDE, core.owner_kind).astype(numpy.int8),
             owner_number=numpy.where(inside, 0, core.owner_index + 1).astype(numpy.int32),
@@ -117,6 +123,22 @@ class Result:
 
 def _roles(scheme):
     return {f"Face{i + 1}": role.name for i, role in enumerate(scheme.face_role) if role.name != "none"}
+
+
+def _with_mid_nodes(corners, mid_nodes):
+    return numpy.hstack([corners, mid_nodes]) if len(mid_nodes) else corners
+
+
+def _boundary(core):
+    """Offsets and nodes of the boundary's polygons; mid-side nodes, where there are any, follow the corners."""
+    offsets, corners, mid_nodes = core.boundary_offset, core.boundary_nodes, core.boundary_mid_nodes
+    if not len(mid_nodes):
+        return offsets, corners
+    sizes = numpy.repeat(numpy.diff(offsets), numpy.diff(offsets))
+    places = numpy.arange(len(corners)) + numpy.repeat(offsets[:-1], numpy.diff(offsets))
+    nodes = numpy.empty(2 * len(corners), corners.dtype)
+    nodes[places], nodes[places + sizes] = corners, mid_nodes
+    return 2 * offsets, nodes
 
 
 def _quality(report):

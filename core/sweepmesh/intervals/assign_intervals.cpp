@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include "sweepmesh/intervals/interval_demands.h"
+#include "sweepmesh/intervals/separation.h"
 
 namespace sweepmesh {
 namespace {
@@ -57,11 +57,18 @@ Intervals to_intervals(const IntervalDemands& demands, const CountSolution& solu
 Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                            Context& context) {
   context.check(stage);
-  const IntervalDemands demands = interval_demands(model, scheme, options);
+  IntervalDemands demands = interval_demands(model, scheme, options);
+  const Separation separation(model, scheme, options.size);
+  separation.add_gaps(demands);
   const CountOptions how{.time_limit_seconds = options.time_limit_seconds};
-  const CountSolution solution = solve_counts(demands.problem, how, context);
-  if (!solution.is_feasible()) report_conflict(demands.problem, solution.conflict);
-  return to_intervals(demands, solution);
+  const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
+  for (int round = 0;; ++round) {
+    context.report(static_cast<double>(round) / max_rounds, "Assigning numbers of mesh edges");
+    const CountSolution solution = solve_counts(demands.problem, how, context);
+    if (!solution.is_feasible()) report_conflict(demands.problem, solution.conflict);
+    if (round == max_rounds || separation.add_violated(solution, demands) == 0)
+      return to_intervals(demands, solution);
+  }
 }
 
 }  // namespace sweepmesh

@@ -37,6 +37,17 @@ void measure(const Model& model, ProblemEdge& edge) {
   }
 }
 
+void measure_direction(const Model& model, const Coedge& coedge, ProblemEdge& edge) {
+  edge.chord = model.point(coedge.end) - model.point(coedge.start);
+  const auto [first, last] = model.range(coedge.edge);
+  const std::size_t n = edge.tangents.size();
+  for (std::size_t j = 0; j < n; ++j) {
+    const double fraction = (j + 0.5) / n;
+    const double t = first + (coedge.reversed ? 1 - fraction : fraction) * (last - first);
+    edge.tangents[j] = model.tangent(coedge.edge, t) * (coedge.reversed ? -1.0 : 1.0);
+  }
+}
+
 /// Adds a face and its coedges; partners are filled in when both uses of an edge are known.
 void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, SweepProblem& out) {
   ProblemFace face;
@@ -62,7 +73,7 @@ void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, 
       c.heading = heading(model, coedge);
       c.length = model.length(coedge.edge);
       ProblemEdge& edge = out.edges[c.edge];
-      if (edge.coedge[0] < 0) edge.chord = model.point(coedge.end) - model.point(coedge.start);
+      if (edge.coedge[0] < 0) measure_direction(model, coedge, edge);
       (edge.coedge[0] < 0 ? edge.coedge[0] : edge.coedge[1]) = static_cast<int>(out.coedges.size());
       out.coedges.push_back(c);
       ++loop.count;

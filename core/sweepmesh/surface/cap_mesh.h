@@ -41,6 +41,15 @@ CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, doub
 CapMesh map_cap(const Model& model, const CapMesh& source, FaceId target,
                 const std::vector<CapNode>& boundary, double size, const Context& context);
 
+/// Source and target meshed together, so that distortion is shared (planar_pair.h): better than mesh_cap and
+/// map_cap wherever the two differ in shape. `partner` gives the target's node of each of the source's
+/// boundary nodes, shaped like `boundary`. Errors as mesh_cap and map_cap.
+struct CapPair {
+  CapMesh source, target;
+};
+CapPair mesh_cap_pair(const Model& model, FaceId source, const CapLoops& boundary, FaceId target,
+                      const CapLoops& partner, double size, CellKind kind, const Context& context);
+
 /// Adds a cap's inside nodes and its cells to a surface mesh, counterclockwise seen from outside. Gives the
 /// ids of all its nodes, in the cap's order.
 std::vector<NodeId> add_cap(const CapMesh& cap, SurfaceMesh& mesh);

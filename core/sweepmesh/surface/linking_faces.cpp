@@ -20,7 +20,7 @@ PlacedRegion with_boundary(const SubmapBoundary& b, const SurfaceMesh& mesh, Fac
                            "The numbers of mesh edges around " + name_of(face) +
                                " bound no structured grid: its sides would touch or cross.",
                            {name_of(face)}, {});
-  PlacedRegion placed{std::move(*region), {}, {}};
+  PlacedRegion placed{std::move(*region), b.period, {}, {}};
   for (std::size_t l = 0; l < b.loops.size(); ++l)
     for (std::size_t s = 0; s < b.nodes[l].size(); ++s) {
       placed.uv.push_back(b.uv[l][s]);
@@ -52,6 +52,8 @@ std::vector<long> inverted_cells(const Model& model, FaceId face, const PlacedRe
 void place(const Model& model, FaceId face, PlacedRegion& placed) {
   if (is_rectangle(placed.region))
     place_transfinite(placed);
+  else if (is_plain_tube(placed))
+    place_ruled(placed);
   else
     place_harmonic(placed);
   const auto inverted = inverted_cells(model, face, placed);
@@ -81,7 +83,7 @@ void mesh_linking_faces(const Model& model, const Scheme& scheme, const Interval
   for (std::size_t f = 0; f < faces.size(); ++f) {
     context.check(stage);
     context.report(static_cast<double>(f) / faces.size(), "Meshing " + name_of(faces[f]));
-    const auto boundary = submap_boundary(model, scheme, intervals, edges, faces[f]);
+    const auto boundary = submap_boundary(model, scheme, intervals, edges, mesh, faces[f]);
     PlacedRegion placed = with_boundary(boundary, mesh, faces[f]);
     place(model, faces[f], placed);
     add_to_mesh(model, faces[f], boundary, placed, mesh);

@@ -132,6 +132,27 @@ void place_transfinite(PlacedRegion& p) {
   }
 }
 
+bool is_plain_tube(const PlacedRegion& p) {
+  const Extent e = extent_of(p.region);
+  return p.period > 0 && p.region.n_boundary == 2 * p.period &&
+         static_cast<int>(p.region.cells.size()) == p.period * (e.high.k - e.low.k);
+}
+
+void place_ruled(PlacedRegion& p) {
+  const Extent e = extent_of(p.region);
+  const auto around = [&](int i) { return ((i % p.period) + p.period) % p.period; };
+  std::vector<Point2> low(p.period), high(p.period);
+  for (int n = 0; n < p.region.n_boundary; ++n) {
+    const GridPoint at = p.region.nodes[n];
+    (at.k == e.low.k ? low : high)[around(at.i)] = p.uv[n];
+  }
+  for (std::size_t n = p.region.n_boundary; n < p.region.nodes.size(); ++n) {
+    const GridPoint at = p.region.nodes[n];
+    const double share = static_cast<double>(at.k - e.low.k) / (e.high.k - e.low.k);
+    p.uv.push_back((1.0 - share) * low[around(at.i)] + share * high[around(at.i)]);
+  }
+}
+
 void place_harmonic(PlacedRegion& p) {
   const int n_fixed = p.region.n_boundary;
   const int n_free = static_cast<int>(p.region.nodes.size()) - n_fixed;

@@ -11,6 +11,7 @@ namespace sweepmesh {
 /// A region with (u,v) and positions at its nodes; those of the first n_boundary are given.
 struct PlacedRegion {
   GridRegion region;
+  int period = 0;  ///< as in fill_region
   std::vector<Point2> uv;
   std::vector<Point3> points;  ///< boundary nodes only: used for arc lengths
 };
@@ -23,6 +24,13 @@ bool is_rectangle(const GridRegion& region);
 /// left's and the right's (Soni 1985). Reproduces any surface that is the sum of a function of u
 /// and one of v. Requires is_rectangle. Linear in nodes.
 void place_transfinite(PlacedRegion& placed);
+
+/// Whether the region is a tube between two rims of constant k.
+bool is_plain_tube(const PlacedRegion& placed);
+
+/// On straight lines in (u,v) from rim to rim, at equal steps. Requires is_plain_tube and (u,v)
+/// that close up around the tube (an annulus in the parameter plane).
+void place_ruled(PlacedRegion& placed);
 
 /// Each interior node is the mean of its four neighbours, weighted by the inverse of the mean
 /// length of the boundary steps in that row or column; so the grading of the boundary goes through

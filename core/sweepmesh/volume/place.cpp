@@ -11,6 +11,7 @@
 #include "sweepmesh/volume/layer_motion.h"
 #include "sweepmesh/volume/layered_solver.h"
 #include "sweepmesh/volume/residual.h"
+#include "sweepmesh/volume/untangle.h"
 
 namespace sweepmesh {
 namespace {
@@ -55,6 +56,61 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
   report.n_iterations = solved.n_iterations;
 }
 
+[[noreturn]] void throw_invalid(const std::vector<long>& elements, const char* cause) {
+  throw InvalidMeshError("place", std::to_string(elements.size()) + " elements stay inverted: " + cause,
+                         {}, elements);
+}
+
+/// Untangles the elements that are not positive; throws when some stay so.
+void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+                       const PlacementOptions& options, const std::vector<long>& inverted,
+                       Points& points, ThreadTeam& team, const Context& context) {
+  if (options.sliding.empty()) {
+    const std::vector<long> hopeless = hopeless_elements(x, fixed, points, inverted);
+    if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
+  }
+  UntangleOptions how;
+  how.max_attempts = options.max_attempts;
+  how.sliding = options.sliding;
+  const std::vector<long> left =
+      untangle(x, metric, fixed, points, how, inverted, team, context).remaining;
+  if (!left.empty()) throw_invalid(left, "the mesh of the boundary leaves no room for them.");
+}
+
+/// Elements up to the threshold of improvement get better where they can.
+ElementCheck improve_poor(const Extrusion& x, const std::vector<char>& fixed,
+                          const BaseMetric& metric, const PlacementOptions& options,
+                          const std::vector<long>& poor, Points& points, ThreadTeam& team,
+                          const Context& context) {
+  UntangleOptions how;
+  how.threshold = options.improve_up_to;
+  how.max_attempts = 1;
+  how.sliding = options.sliding;
+  untangle(x, metric, fixed, points, how, poor, team, context);
+  return check_elements(x, points, options.improve_up_to, team);
+}
+
+void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+                   const PlacementOptions& options, Points& points, PlacementReport& report,
+                   ThreadTeam& team, const Context& context) {
+  ElementCheck check = check_elements(x, points, options.improve_up_to, team);
+  if (!(check.min_scaled_jacobian > 0.0)) {
+    const std::vector<long> inverted = check_elements(x, points, 0.0, team).bad;
+    report.n_inverted_before = static_cast<long>(inverted.size());
+    if (options.max_attempts > 0) {
+      untangle_inverted(x, fixed, metric, options, inverted, points, team, context);
+      check = check_elements(x, points, options.improve_up_to, team);
+    } else {
+      report.inverted = inverted;
+    }
+  }
+  if (check.min_scaled_jacobian > 0.0 && !check.bad.empty()) {
+    report.n_poor_before = static_cast<long>(check.bad.size());
+    check = improve_poor(x, fixed, metric, options, check.bad, points, team, context);
+  }
+  report.min_scaled_jacobian = check.min_scaled_jacobian;
+}
+
 }  // namespace
 
 PlacementReport place_interior(const Extrusion& extrusion, const std::vector<char>& fixed,
@@ -74,10 +130,8 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   if (report.largest_residual > options.negligible_residual * size_of(points, fixed))
     extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
                      points, report, team, context);
-  context.report(0.8, "Checking the elements");
-  const ElementCheck check = check_elements(extrusion, points, 0.0, team);
-  report.min_scaled_jacobian = check.min_scaled_jacobian;
-  report.inverted = check.bad;
+  context.report(0.6, "Checking the elements");
+  mend_elements(extrusion, fixed, metric, options, points, report, team, context);
   context.report(1.0, "Interior nodes placed");
   return report;
 }

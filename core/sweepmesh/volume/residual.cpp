@@ -2,28 +2,12 @@
 
 #include <algorithm>
 
+#include "sweepmesh/volume/element_index.h"
+
 namespace sweepmesh {
 namespace {
 
 constexpr long columns_per_chunk = 256;
-
-/// Cells around every column, in compressed rows, with the column's corner in each.
-struct CellsOfColumns {
-  std::vector<int> offset, cell, corner;
-
-  explicit CellsOfColumns(const Extrusion& x)
-      : offset(x.n_columns() + 1, 0), cell(x.cell_columns.size()), corner(x.cell_columns.size()) {
-    for (const int c : x.cell_columns) ++offset[c + 1];
-    for (int c = 0; c < x.n_columns(); ++c) offset[c + 1] += offset[c];
-    std::vector<int> next(offset.begin(), offset.end() - 1);
-    for (int c = 0; c < x.n_cells(); ++c)
-      for (int i = 0; i < x.cell_size(c); ++i) {
-        const int slot = next[x.cell_columns[x.cell_offset[c] + i]]++;
-        cell[slot] = c;
-        corner[slot] = i;
-      }
-  }
-};
 
 const ColumnResidual* find_in(const std::vector<ColumnResidual>& list, int block) {
   for (const ColumnResidual& r : list)

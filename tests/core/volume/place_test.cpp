@@ -115,7 +115,7 @@ TEST(PlaceInterior, HarmonicExtensionIsThatOfADirectSolver) {
 }
 
 TEST(PlaceInterior, DoesNotDependOnTheNumberOfThreads) {
-  const Solid solid = make_solid(make_square_with_hole(24, 8), 20, moving_hole(0.7, 1.0, 0.2));
+  const Solid solid = make_solid(make_square_with_hole(24, 8), 20, moving_hole(0.4, 1.0, 0.1));
   Points one = solid.input();
   Context single(1);
   place_interior(solid.extrusion, solid.fixed, one, {}, single);

@@ -5,21 +5,21 @@ import numpy
 from sweepmesh.engine import numbering
 
 
-def write_result(path, result):
-    """Writes the volume elements of a Result.
+def write_result(path, result, point_data=None):
+    """Writes the volume elements of a Result, and `point_data` {name: array with a row a node} with them.
 
     Points carry `OwnerKind` (0 vertex, 1 edge, 2 face, 3 inside) and `OwnerNumber`, from 1 as in FreeCAD;
     cells carry `ScaledJacobian`.
     """
     blocks = [
-        (numbering.VTK_HEXAHEDRON, result.hexahedra),
-        (numbering.VTK_WEDGE, result.prisms[:, numbering.PRISM_TO_VTK]),
+        (numbering.VTK_TYPES[nodes.shape[1]], nodes[:, numbering.TO_VTK[nodes.shape[1]]])
+        for nodes in (result.hexahedra, result.prisms)
     ]
     write_vtu(
         path,
         result.points,
         blocks,
-        point_data={"OwnerKind": result.owner_kind, "OwnerNumber": result.owner_number},
+        point_data={"OwnerKind": result.owner_kind, "OwnerNumber": result.owner_number, **(point_data or {})},
         cell_data={"ScaledJacobian": result.scaled_jacobians},
     )
 

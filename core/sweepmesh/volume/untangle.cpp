@@ -1,0 +1,284 @@
+#include "sweepmesh/volume/untangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "sweepmesh/base/element_quality.h"
+#include "sweepmesh/volume/element_index.h"
+
+namespace sweepmesh {
+namespace {
+
+using Numbers = std::vector<long>;
+
+void sort_unique(Numbers& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+long position_in(const Numbers& sorted, long value) {
+  return std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin();
+}
+
+double scaled_jacobian_of(const Extrusion& x, const Points& points, SweptElement e) {
+  const int n = x.cell_size(e.cell);
+  std::vector<Point3> low(n), high(n);
+  for (int i = 0; i < n; ++i) {
+    const long node = x.node(x.cell_columns[x.cell_offset[e.cell] + i], e.k);
+    low[i] = points.row(node);
+    high[i] = points.row(node + 1);
+  }
+  return scaled_jacobian(low.data(), high.data(), n);
+}
+
+/// Nodes that move together, and the elements that they touch; both ascending.
+struct Patch {
+  Numbers free_nodes, elements;
+};
+
+class PatchFinder {
+ public:
+  PatchFinder(const ElementIndex& index, const std::vector<char>& is_held)
+      : index_(index), is_held_(is_held) {}
+
+  /// Patches around `bad` elements; two patches share no element.
+  std::vector<Patch> find(Numbers bad, int rings) const {
+    for (int ring = 0; ring < rings; ++ring) bad = elements_around(nodes_of(bad));
+    Numbers nodes = nodes_of(bad);
+    std::erase_if(nodes, [&](long n) { return is_held_[n] != 0; });
+    return divide(nodes, elements_around(nodes));
+  }
+
+ private:
+  Numbers nodes_of(const Numbers& elements) const {
+    Numbers nodes;
+    for (const long e : elements)
+      index_.for_nodes(index_.element(e), [&](long n) { nodes.push_back(n); });
+    sort_unique(nodes);
+    return nodes;
+  }
+  Numbers elements_around(const Numbers& nodes) const {
+    Numbers elements;
+    for (const long n : nodes) index_.for_elements(n, [&](long e) { elements.push_back(e); });
+    sort_unique(elements);
+    return elements;
+  }
+
+  /// Elements belong together when they share a free node.
+  std::vector<Patch> divide(const Numbers& nodes, const Numbers& elements) const {
+    Numbers root(elements.size());
+    std::iota(root.begin(), root.end(), 0L);
+    const auto find = [&](long i) {
+      while (root[i] != i) i = root[i] = root[root[i]];
+      return i;
+    };
+    Numbers first(nodes.size(), -1);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      index_.for_elements(nodes[n], [&](long e) {
+        const long i = find(position_in(elements, e));
+        if (first[n] < 0) first[n] = i;
+        const long j = find(first[n]);
+        root[std::max(i, j)] = std::min(i, j);
+      });
+    std::vector<Patch> patches;
+    std::vector<long> patch_of(elements.size(), -1);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      long& p = patch_of[find(static_cast<long>(i))];
+      if (p < 0) {
+        p = static_cast<long>(patches.size());
+        patches.emplace_back();
+      }
+      patches[p].elements.push_back(elements[i]);
+    }
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      patches[patch_of[find(first[n])]].free_nodes.push_back(nodes[n]);
+    return patches;
+  }
+
+  const ElementIndex& index_;
+  const std::vector<char>& is_held_;
+};
+
+/// Ideal corners of an element, from the intrinsic metric.
+class IdealElement {
+ public:
+  IdealElement(const Extrusion& x, const BaseMetric& metric, const Points& points)
+      : x_(x), metric_(metric), points_(points) {}
+
+  /// Calls f(o, a, b, c, W) for each corner; W is the matrix of the ideal edges.
+  template <class F>
+  void for_corners(SweptElement e, F&& f) const {
+    const int n = x_.cell_size(e.cell);
+    const double angle = std::numbers::pi * (1.0 - 2.0 / n), height = metric_.height_of(e.k);
+    const int* columns = x_.cell_columns.data() + x_.cell_offset[e.cell];
+    for (int i = 0; i < n; ++i) {
+      const int next = columns[(i + 1) % n], last = columns[(i + n - 1) % n], own = columns[i];
+      for (const int up : {0, 1}) {
+        const int k = e.k + up, a = up ? last : next, b = up ? next : last;
+        const double la = length(e.cell, own, a, k), lb = length(e.cell, own, b, k);
+        Eigen::Matrix3d w;
+        w << la, lb * std::cos(angle), 0, 0, lb * std::sin(angle), 0, 0, 0, height;
+        f(x_.node(own, k), x_.node(a, k), x_.node(b, k), x_.node(own, up ? e.k : e.k + 1), w);
+      }
+    }
+  }
+
+ private:
+  double length(int cell, int a, int b, int k) const {
+    const int low = x_.cell_k_low[cell], high = x_.cell_k_high[cell];
+    const double s = static_cast<double>(k - low) / (high - low);
+    const auto at = [&](int end) {
+      return (points_.row(x_.node(a, end)) - points_.row(x_.node(b, end))).norm();
+    };
+    return (1.0 - s) * at(low) + s * at(high);
+  }
+
+  const Extrusion& x_;
+  const BaseMetric& metric_;
+  const Points& points_;
+};
+
+/// The energy's problem on one patch, with its nodes numbered anew: free ones first.
+struct PatchProblem {
+  UnfoldProblem problem;
+  Points x;
+
+  PatchProblem(const Patch& patch, const ElementIndex& index, const IdealElement& ideal,
+               const std::vector<SlidingNode>& sliding, const Points& points) {
+    Numbers held;
+    for (const long e : patch.elements)
+      index.for_nodes(index.element(e), [&](long n) { held.push_back(n); });
+    sort_unique(held);
+    std::erase_if(held, [&](long n) {
+      return std::binary_search(patch.free_nodes.begin(), patch.free_nodes.end(), n);
+    });
+    problem.n_free = static_cast<int>(patch.free_nodes.size());
+    x.resize(problem.n_free + static_cast<long>(held.size()), 3);
+    for (long i = 0; i < x.rows(); ++i)
+      x.row(i) = points.row(i < problem.n_free ? patch.free_nodes[i] : held[i - problem.n_free]);
+    const auto local = [&](long node) {
+      const long i = position_in(patch.free_nodes, node);
+      const bool is_free = i < problem.n_free && patch.free_nodes[i] == node;
+      return static_cast<int>(is_free ? i : problem.n_free + position_in(held, node));
+    };
+    double volume = 0.0, ideal_volume = 0.0;
+    for (const long e : patch.elements)
+      ideal.for_corners(index.element(e), [&](long o, long a, long b, long c, const Eigen::Matrix3d& w) {
+        const Point3 p = points.row(o);
+        const Point3 pa = points.row(a), pb = points.row(b), pc = points.row(c);
+        volume += (pa - p).cross(pb - p).dot(pc - p);
+        ideal_volume += w.determinant();
+        problem.corners.push_back({{local(o), local(a), local(b), local(c)}, w.inverse()});
+      });
+    for (const SlidingNode& s : sliding) {
+      const long i = position_in(patch.free_nodes, s.node);
+      if (i < problem.n_free && patch.free_nodes[i] == s.node)
+        problem.sliding.emplace_back(static_cast<int>(i), s.normal);
+    }
+    // Ideal elements fill the patch as it is.
+    if (volume > 0.0)
+      for (CornerTet& corner : problem.corners) corner.ideal *= std::cbrt(ideal_volume / volume);
+  }
+};
+
+/// How good a patch is: fewer elements up to the threshold, then a greater least value.
+struct Worth {
+  long n_bad = 0;
+  double least = 1.0;
+
+  bool is_better_than(const Worth& other) const {
+    if (other.least > 0.0 && least < other.least) return false;
+    return n_bad < other.n_bad || (n_bad == other.n_bad && least > other.least);
+  }
+};
+
+Worth worth_of(const Extrusion& x, const ElementIndex& index, const Points& points,
+               const Numbers& elements, double threshold) {
+  Worth worth;
+  for (const long e : elements) {
+    const double value = scaled_jacobian_of(x, points, index.element(e));
+    worth.n_bad += !(value > threshold);
+    worth.least = std::min(worth.least, value);
+  }
+  return worth;
+}
+
+void mend(const Extrusion& x, const BaseMetric& metric, const ElementIndex& index,
+          const Patch& patch, const UntangleOptions& options, Points& points) {
+  if (patch.free_nodes.empty()) return;
+  const IdealElement ideal(x, metric, points);
+  PatchProblem local(patch, index, ideal, options.sliding, points);
+  const Points before = local.x.topRows(local.problem.n_free);
+  const Worth old_worth = worth_of(x, index, points, patch.elements, options.threshold);
+  minimise_foldover(local.problem, local.x, options.energy);
+  const auto put = [&](const Points& rows) {
+    for (int i = 0; i < local.problem.n_free; ++i) points.row(patch.free_nodes[i]) = rows.row(i);
+  };
+  put(local.x);
+  const Worth new_worth = worth_of(x, index, points, patch.elements, options.threshold);
+  if (!new_worth.is_better_than(old_worth)) put(before);
+}
+
+}  // namespace
+
+UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
+                        const std::vector<char>& fixed, Points& points,
+                        const UntangleOptions& options, const Numbers& elements, ThreadTeam& team,
+                        const Context& context) {
+  const ElementIndex index(extrusion);
+  std::vector<char> is_held = fixed;
+  for (const SlidingNode& s : options.sliding) is_held[s.node] = 0;
+  const PatchFinder finder(index, is_held);
+  UntangleReport report;
+  report.remaining = elements;
+  for (int rings = options.first_rings; report.n_attempts < options.max_attempts; rings *= 2) {
+    if (report.remaining.empty()) break;
+    ++report.n_attempts;
+    const std::vector<Patch> patches = finder.find(report.remaining, rings);
+    team.for_chunks(static_cast<long>(patches.size()), 1, [&](long p, long, long) {
+      context.check("place");
+      mend(extrusion, metric, index, patches[p], options, points);
+    });
+    Numbers remaining;
+    report.n_moved = 0;
+    for (const Patch& patch : patches) {
+      report.n_moved += static_cast<long>(patch.free_nodes.size());
+      for (const long e : patch.elements)
+        if (!(scaled_jacobian_of(extrusion, points, index.element(e)) > options.threshold))
+          remaining.push_back(e);
+    }
+    report.remaining = remaining;
+  }
+  sort_unique(report.remaining);
+  return report;
+}
+
+std::vector<long> hopeless_elements(const Extrusion& extrusion, const std::vector<char>& fixed,
+                                    const Points& points, const std::vector<long>& elements) {
+  const ElementIndex index(extrusion);
+  std::vector<long> hopeless;
+  for (const long number : elements) {
+    const SweptElement e = index.element(number);
+    const int n = extrusion.cell_size(e.cell);
+    const int* columns = extrusion.cell_columns.data() + extrusion.cell_offset[e.cell];
+    bool is_hopeless = false;
+    for (int i = 0; i < n; ++i)
+      for (const int up : {0, 1}) {
+        const int k = e.k + up, next = columns[(i + 1) % n], last = columns[(i + n - 1) % n];
+        const long corner[4] = {extrusion.node(columns[i], k), extrusion.node(up ? last : next, k),
+                                extrusion.node(up ? next : last, k),
+                                extrusion.node(columns[i], up ? e.k : e.k + 1)};
+        if (!std::all_of(corner, corner + 4, [&](long c) { return fixed[c] != 0; })) continue;
+        const Point3 o = points.row(corner[0]);
+        const Point3 a = points.row(corner[1]), b = points.row(corner[2]), c = points.row(corner[3]);
+        is_hopeless = is_hopeless || !(normalised_determinant(a - o, b - o, c - o) > 0.0);
+      }
+    if (is_hopeless) hopeless.push_back(number);
+  }
+  return hopeless;
+}
+
+}  // namespace sweepmesh

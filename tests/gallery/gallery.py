@@ -1,0 +1,83 @@
+"""The gallery as tests and tables use it: built once, cached in the build folder; and the judge, where there is one."""
+
+import dataclasses
+import hashlib
+import importlib.util
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+FOLDER = ROOT / "build" / "gallery"
+
+
+@dataclasses.dataclass
+class Case:
+    """One solid with the picks of one of its schemes, or with none."""
+
+    name: str
+    entry: dict
+    scheme: int = -1
+    """Index in the manifest; -1 for no picks."""
+
+    @property
+    def path(self):
+        return FOLDER / self.entry["file"]
+
+    @property
+    def size(self):
+        return self.entry["element_size"]
+
+    @property
+    def genus(self):
+        """Of each shell of the solid."""
+        return self.entry["genus"]
+
+    @property
+    def label(self):
+        return f"{self.name}-{'free' if self.scheme < 0 else f'scheme{self.scheme}'}"
+
+    def picks(self):
+        """(sources, targets) as points on the faces."""
+        if self.scheme < 0:
+            return [], []
+        chosen = self.entry["schemes"][self.scheme]
+        return chosen["sources"], chosen["targets"]
+
+
+def manifest():
+    """The solids, {name: entry}; builds the gallery where its sources have changed."""
+    sources = sorted([HERE / "build_gallery.py", *(HERE / "solids").glob("*.py")])
+    stamp = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()
+    kept = FOLDER / "stamp"
+    if not kept.is_file() or kept.read_text() != stamp:
+        subprocess.run([sys.executable, sources[0], FOLDER], check=True, stdout=subprocess.DEVNULL)
+        kept.write_text(stamp)
+    entries = json.loads((FOLDER / "gallery.json").read_text())["solids"]
+    return {entry["name"]: entry for entry in entries}
+
+
+def cases(*kinds):
+    """Each solid of the kinds without picks and with those of each of its schemes."""
+    return [
+        Case(name, entry, scheme)
+        for name, entry in manifest().items()
+        if entry["kind"] in kinds
+        for scheme in range(-1, len(entry["schemes"]))
+    ]
+
+
+def find_judge():
+    """The function judge(mesh path, shape path) of an independent checker beside the checkout; None without it."""
+    shared = pathlib.Path(os.environ.get("SWEEPMESH_SHARED", ROOT.parent / "shared"))
+    path = shared / "judge" / "judge_mesh.py"
+    if not path.is_file():
+        return None
+    spec = importlib.util.spec_from_file_location("judge_mesh", path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["judge_mesh"] = module
+    spec.loader.exec_module(module)
+    return module.judge
