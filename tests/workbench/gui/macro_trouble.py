@@ -151,7 +151,7 @@ def save_close_reopen_edit():
     widget("layerCount").setValue(6)
     press(panel_button("OK"))
     wait_for(lambda: not is_panel_open(), 60)
-    check("and meshed again", mesh.Layers == 6 and mesh.FemMesh.HexaCount == 10 * 5 * 6)
+    check("and meshed again", mesh.Layers == 6 and mesh.FemMesh.HexaCount == 6 * 5 * 4)
     picture("05_reopened")
     finish(document)
 
