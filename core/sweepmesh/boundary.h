@@ -1,4 +1,5 @@
-// The boundary of a sweep, meshed: caps and linking faces that fit together, with the columns between.
+// The boundary of a sweep, meshed: caps and linking faces that fit together, with the columns
+// between.
 #pragma once
 
 #include <vector>
@@ -19,8 +20,8 @@ struct BoundaryMesh {
   std::vector<CellRun> runs;
 };
 
-/// One source and one target: grids on the linking faces, a mesh of `kind` on the source, its image on the
-/// target. Throws InputError for a scheme with more caps, and what the surface stage throws.
+/// One source and one target: grids on the linking faces, a mesh of `kind` on the source, its image
+/// on the target. Throws InputError for a scheme with more caps, and what the surface stage throws.
 BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
                            const IntervalOptions& options, CellKind kind, Context& context);
 

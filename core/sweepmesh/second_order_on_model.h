@@ -10,9 +10,9 @@
 
 namespace sweepmesh {
 
-/// add_mid_nodes (volume/second_order.h) with the middles of boundary sides projected onto the face that
-/// both cells of a side lie on, or onto the edge between their faces. Adds a warning where nodes had to
-/// leave the CAD geometry to keep elements valid.
+/// add_mid_nodes (volume/second_order.h) with the middles of boundary sides projected onto the face
+/// that both cells of a side lie on, or onto the edge between their faces. Adds a warning where
+/// nodes had to leave the CAD geometry to keep elements valid.
 void add_mid_nodes_on(const Model& model, VolumeMesh& mesh, Context& context,
                       std::vector<std::string>& warnings);
 

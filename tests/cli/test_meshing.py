@@ -63,6 +63,8 @@ def test_quiet_prints_nothing(sweepmesh, shapes):
         (["--source", "30,20,0", "--target", "30,20,25"], "Face5", "Face6"),
         (["--pair", "Face1=Face2"], "Face1", "Face2"),
         (["--pair", "0,20,12.5=60,20,12.5"], "Face1", "Face2"),
+        (["--source", "-1e-9,20,12.5"], "Face1", "Face2"),
+        (["--pair", "-1e-9,20,12.5=60,20,12.5"], "Face1", "Face2"),
     ],
 )
 def test_faces_are_picked_by_name_or_point(sweepmesh, shapes, tmp_path, picks, source, target):
@@ -114,9 +116,9 @@ def test_an_object_of_a_document_can_be_named(sweepmesh, shapes):
 
 
 def test_force_lifts_the_limit(sweepmesh, shapes):
-    """Only that it is lifted: the run itself would be long, so an unsweepable solid ends it at once."""
-    done = sweepmesh(shapes / "voids.step", "--size", 0.001, "--force")
-    assert done.returncode == 2
+    """An unsweepable solid ends the run at once when the limit does not: no mesh of this size is made."""
+    assert sweepmesh(shapes / "voids.step", "--size", 0.08).returncode == 1
+    assert sweepmesh(shapes / "voids.step", "--size", 0.08, "--force").returncode == 2
 
 
 def run_on_terminal(start, arguments):

@@ -1,19 +1,14 @@
-"""FreeCAD's Python on sys.path, and fixtures that every workbench test may use."""
-import glob
+"""Fixtures that every workbench test may use; the helper modules beside the tests can be imported by name."""
 import pathlib
 import sys
 
+import FreeCAD
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [
-    str(ROOT / "Mod"),
-    "/usr/lib/freecad/lib",
-    "/usr/share/freecad/Ext",
-    "/usr/share/freecad/Mod",
-    *glob.glob("/usr/share/freecad/Mod/*"),
-]
-import FreeCAD  # noqa: E402
+HERE = pathlib.Path(__file__).resolve().parent
+for folder in (HERE / "app", HERE / "gui"):
+    if str(folder) not in sys.path:
+        sys.path.insert(0, str(folder))
 
 
 @pytest.fixture

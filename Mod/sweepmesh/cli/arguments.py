@@ -1,9 +1,12 @@
 """The options of the command line."""
 
 import argparse
+import sys
 
 from sweepmesh.engine import Options, __version__
 from sweepmesh.output import FORMATS
+
+_FACE_OPTIONS = ("--source", "--target", "--pair")
 
 _EPILOG = """exit status: 0 meshed (or, with --assess, sweepable), 2 not sweepable, 1 anything else.
 
@@ -14,8 +17,22 @@ example: python -m sweepmesh bracket.step --size 2.5 --source Face3 --out bracke
 class Parser(argparse.ArgumentParser):
     """Ends with status 1 on wrong usage, as 2 means that a solid cannot be swept."""
 
+    def parse_args(self, args=None, namespace=None):
+        return super().parse_args(_joined_points(sys.argv[1:] if args is None else args), namespace)
+
     def error(self, message):
         self.exit(1, f"sweepmesh: {message}. See --help.\n")
+
+
+def _joined_points(arguments):
+    """Writes `--source -1,2,3` as `--source=-1,2,3`: argparse would take the point for an option."""
+    joined = []
+    for argument in arguments:
+        if joined and joined[-1] in _FACE_OPTIONS and argument[:1] == "-" and "," in argument:
+            joined[-1] += "=" + argument
+        else:
+            joined.append(argument)
+    return joined
 
 
 def make_parser():

@@ -3,6 +3,7 @@ import pathlib
 
 import FreeCADGui
 from FreeCAD import Qt
+from PySide import QtGui
 
 RESOURCES = pathlib.Path(__file__).resolve().parents[3] / "Resources"
 
@@ -20,3 +21,9 @@ def load_form(name):
 def tr(text):
     """Return the translation of a whole sentence (or label) of the workbench."""
     return Qt.translate("SweepMesh", text)
+
+
+def button(name):
+    """Return a standard button ("Close") as panels hand it to FreeCAD, with Qt 5 and with Qt 6."""
+    flag = getattr(QtGui.QDialogButtonBox, name)
+    return flag if hasattr(flag, "value") else int(flag)

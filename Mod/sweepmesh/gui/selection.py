@@ -30,6 +30,12 @@ def is_single_solid_selected():
     return FreeCAD.ActiveDocument is not None and is_no_panel_open() and selected_solid()[0] is not None
 
 
+def is_single_sweep_selected():
+    """Is one sweep mesh that has elements selected, and no panel open?"""
+    mesh = selected_sweep() if is_no_panel_open() else None
+    return mesh is not None and len(mesh.ScaledJacobians) == mesh.FemMesh.VolumeCount > 0
+
+
 def is_no_panel_open():
     return FreeCADGui.Control.activeDialog() in (None, False)
 

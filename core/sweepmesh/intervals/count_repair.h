@@ -9,9 +9,9 @@
 namespace sweepmesh {
 
 struct RepairOptions {
-  int max_step = 1;                ///< how far a count may move, >= 1
-  double odd_penalty = 0.5;        ///< for each preferably even sum that stays odd
-  std::size_t max_states = 20000;  ///< states kept per step; beyond, only the cheapest are
+  int max_step = 1;              ///< how far a count may move, >= 1
+  double odd_penalty = 0.5;      ///< for each preferably even sum that stays odd
+  std::size_t max_states = 500;  ///< states kept per step; beyond, only the cheapest are
 };
 
 /// `value` meets the demands `part` of `classes` but for the even ones. Returns values that meet

@@ -26,7 +26,11 @@ class Builder {
       if (is_cap(f)) add_cap(f);
       if (role(f) == FaceRole::linking) add_linking(f);
     }
+    join_levels();
     for (const auto& [edge, count] : options_.edge_count) fix(edge, count);
+    for (const auto& [a, b] : options_.equal_edges)
+      demand(Kind::equality, {{count(a), 1.0}, {count(b), -1.0}}, 0.0, {name_of(a), name_of(b)},
+             name_of(a) + " and " + name_of(b) + " must have the same number of mesh edges");
     if (options_.layers) add_layers(*options_.layers);
     return std::move(out_);
   }
@@ -52,7 +56,7 @@ class Builder {
     for (const EdgeId e : model_.edges()) {
       const bool is_closed = model_.start(e) == model_.end(e);
       out_.edge[e.index] =
-          out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wishes[e.index], 1.0});
+          out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wishes[e.index], wishes[e.index]});
     }
     for (const VertexId v : model_.vertices())
       out_.vertex[v.index] = out_.problem.add({-unbounded, unbounded, std::nullopt, 0.0});
@@ -144,9 +148,32 @@ class Builder {
     const auto& low = model_.loops(f)[a_is_low ? a : b].front();
     const auto& high = model_.loops(f)[a_is_low ? b : a].front();
     const double apart = (model_.point(low.start) - model_.point(high.start)).norm();
-    const int rise = out_.problem.add({1.0, unbounded, std::max(1.0, apart / options_.size), 1.0});
+    const int rise = add_rise(apart);
     demand(Kind::equality, {{rise, 1.0}, {level(high.start), -1.0}, {level(low.start), 1.0}}, 0.0,
            {name_of(f)}, name_of(f) + " must rise from one layer to another");
+  }
+
+  /// Caps that no linking face connects (a shell between two closed surfaces): a source lies above
+  /// each target, by its distance in element sizes.
+  void join_levels() {
+    if (!scheme_.faces_with(FaceRole::linking).empty()) return;
+    for (const FaceId source : scheme_.faces_with(FaceRole::source))
+      for (const FaceId target : scheme_.faces_with(FaceRole::target)) rise_between(target, source);
+  }
+
+  void rise_between(FaceId target, FaceId source) {
+    const VertexId low = model_.loops(target).front().front().start;
+    const VertexId high = model_.loops(source).front().front().start;
+    const double apart = model_.distance(target, model_.point(high));
+    const int rise = add_rise(apart);
+    demand(Kind::equality, {{rise, 1.0}, {level(high), -1.0}, {level(low), 1.0}}, 0.0,
+           {name_of(source), name_of(target)},
+           name_of(source) + " must lie above " + name_of(target));
+  }
+
+  int add_rise(double length) {
+    const double wish = std::max(1.0, length / options_.size);
+    return out_.problem.add({1.0, unbounded, wish, wish});
   }
 
   void fix(EdgeId e, int n) {

@@ -46,6 +46,10 @@ void check(const Model& model, const IntervalOptions& o) {
       throw InputError(stage, "The count on " + name_of(edge) + " must be at least one.",
                        {name_of(edge)});
   }
+  for (const auto& [a, b] : o.equal_edges) {
+    check_edge(model, a);
+    check_edge(model, b);
+  }
   for (const auto& [edge, bias] : o.edge_bias) {
     check_edge(model, edge);
     if (!is_positive(bias.ratio))

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/scheme/pairs.h"
+#include "sweepmesh/scheme/reasons.h"
 #include "sweepmesh/scheme/role_search.h"
 #include "sweepmesh/scheme/to_scheme.h"
 
@@ -10,8 +12,12 @@ namespace sweepmesh {
 
 namespace {
 
-/// Costs up to which schemes are looked for, one after the other until one is found: with a low limit most choices are ruled out at once.
+/// Costs up to which schemes are looked for, one after the other until one is found: with a low
+/// limit most choices are ruled out at once.
 constexpr std::array kCostLimits = {2.0, 4.0, 8.0, 16.0, 64.0, kImpossible};
+
+/// Schemes that cost so much more than the best are offered too.
+constexpr double kOffered = 2.0;
 
 int index_of(const SweepProblem& problem, FaceId id) {
   const auto at = std::ranges::find(problem.faces, id, &ProblemFace::id);
@@ -20,36 +26,36 @@ int index_of(const SweepProblem& problem, FaceId id) {
   return static_cast<int>(at - problem.faces.begin());
 }
 
-bool has_picks(const Picks& picks) {
-  return !picks.sources.empty() || !picks.targets.empty() || !picks.pairs.empty();
-}
+/// A picked face and the states that it may have.
+using Pick = std::pair<FaceId, StateSet>;
 
-void apply(const Picks& picks, const Network& network, Choices& choices) {
-  std::vector<int> touched;
-  const auto set = [&](FaceId id, StateSet role) {
-    set_role(network, choices, index_of(network.problem, id), role, touched);
-  };
-  for (FaceId id : picks.sources) set(id, kSourceStates);
-  for (FaceId id : picks.targets) set(id, kTargetStates);
+std::vector<Pick> all_picks(const Picks& picks) {
+  std::vector<Pick> out;
+  for (FaceId id : picks.sources) out.emplace_back(id, kSourceStates);
+  for (FaceId id : picks.targets) out.emplace_back(id, kTargetStates);
   for (const auto& [source, target] : picks.pairs) {
-    set(source, kSourceStates);
-    set(target, kTargetStates);
+    out.emplace_back(source, kSourceStates);
+    out.emplace_back(target, kTargetStates);
   }
+  std::ranges::sort(out);
+  out.erase(std::ranges::unique(out).begin(), out.end());
+  return out;
 }
 
-std::vector<Reason> open_edges(const SweepProblem& problem) {
-  std::vector<std::string> entities;
-  for (const ProblemEdge& edge : problem.edges)
-    if (edge.coedge[1] < 0) entities.push_back(name_of(edge.id));
-  if (entities.empty()) return {};
-  return {{ReasonKind::unsupported,
-           "Edges of this solid bound one face only, so its boundary is not closed: repair the "
-           "shape.",
-           entities}};
+Choices start_of(const Network& network, const std::vector<Pick>& picks) {
+  Choices out = open_choices(network);
+  std::vector<int> touched;
+  for (const auto& [id, states] : picks)
+    set_role(network, out, index_of(network.problem, id), states, touched);
+  return out;
 }
 
-SearchResult search(const Network& network, const Choices& start, SearchOptions options,
-                    const Context& context) {
+/// Raises the limit of cost until something is found, then looks once more for what is nearly as
+/// good.
+SearchResult search(const Network& network, const std::vector<Pick>& picks, const Context& context,
+                    SearchOptions options = {}) {
+  const Choices start = start_of(network, picks);
+  options.is_symmetric = picks.empty();
   SearchResult result;
   for (double limit : kCostLimits) {
     options.max_cost = limit;
@@ -57,7 +63,10 @@ SearchResult search(const Network& network, const Choices& start, SearchOptions 
     options.max_effort -= result.effort;
     if (!result.divisions.empty() || options.max_effort <= 0) break;
   }
-  return result;
+  if (result.divisions.empty() || options.max_effort <= 0) return result;
+  options.max_cost = std::max(options.max_cost, result.divisions.front().cost + kOffered);
+  SearchResult wider = search_divisions(network, start, options, context);
+  return wider.is_complete ? wider : result;
 }
 
 std::vector<Scheme> ranked(const Model& model, const Network& network,
@@ -71,19 +80,126 @@ std::vector<Scheme> ranked(const Model& model, const Network& network,
   return out;
 }
 
+/// The picks without each of which the others can be met; all where no single one is to blame.
+std::vector<FaceId> blamed_picks(const Network& network, const std::vector<Pick>& picks,
+                                 const Context& context) {
+  std::vector<FaceId> blamed, all;
+  SearchOptions brief;
+  brief.max_effort /= 4 * static_cast<long>(picks.size());
+  for (std::size_t i = 0; i < picks.size(); ++i) {
+    std::vector<Pick> others = picks;
+    others.erase(others.begin() + i);
+    all.push_back(picks[i].first);
+    if (!others.empty() && !search(network, others, context, brief).divisions.empty())
+      blamed.push_back(picks[i].first);
+  }
+  return blamed.empty() ? all : blamed;
+}
+
+/// Takes out what contradicts the pairs; gives the first contradiction where nothing is left.
+std::optional<Reason> keep_paired(const Network& network, const Picks& picks,
+                                  std::vector<Division>& divisions) {
+  std::optional<Reason> first;
+  std::erase_if(divisions, [&](const Division& d) {
+    const auto reason = contradicted_pair(network, d, picks.pairs);
+    if (reason && !first) first = reason;
+    return reason.has_value();
+  });
+  return divisions.empty() ? first : std::nullopt;
+}
+
+class Assessor {
+ public:
+  Assessor(const Model& model, const Picks& picks, const Context& context)
+      : model_(model),
+        picks_(picks),
+        context_(context),
+        problem_(sweep_problem(model, context)),
+        chosen_(all_picks(picks)) {}
+
+  Assessment assess() {
+    for (const auto& [id, states] : chosen_) index_of(problem_, id);
+    if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
+    if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
+    const Network strict = make_network(problem_, strict_limits());
+    if (auto found = try_with(strict, chosen_)) return *found;
+    if (opposed_) return {{}, {*opposed_}};
+    const Network lenient = make_network(problem_, lenient_limits());
+    if (!chosen_.empty()) {
+      if (auto found = try_with(lenient, chosen_)) return *found;
+      return refuse_picks(strict, lenient);
+    }
+    if (auto found = try_radial(lenient)) return *found;
+    return refuse(lenient);
+  }
+
+ private:
+  std::optional<Assessment> try_with(const Network& network, const std::vector<Pick>& picks) {
+    SearchResult result = search(network, picks, context_);
+    if (result.divisions.empty()) {
+      is_strict_complete_ |= result.is_complete;
+      if (result.rejections.walls) opposed_ = reason_of_walls(network, *result.rejections.walls);
+      return {};
+    }
+    if (auto reason = keep_paired(network, picks_, result.divisions))
+      return Assessment{{}, {*reason}};
+    return Assessment{ranked(model_, network, result.divisions), {}};
+  }
+
+  /// Two closed shells and nothing between them: from the one to the other, whatever the angles
+  /// between the faces of a shell.
+  std::optional<Assessment> try_radial(const Network& lenient) {
+    std::vector<Pick> shells;
+    for (const ProblemFace& face : problem_.faces) {
+      if (face.shell > 1) return {};
+      shells.emplace_back(face.id, face.shell == 0 ? kSourceStates : kTargetStates);
+    }
+    return try_with(lenient, shells);
+  }
+
+  Assessment refuse(const Network& lenient) {
+    SearchResult result = search(lenient, {}, context_);
+    result.is_complete |= is_strict_complete_;
+    if (!result.divisions.empty()) return {{}, {angle_reason(lenient, result.divisions.front())}};
+    return {{}, reasons_of_failure(lenient, result, context_)};
+  }
+
+  Assessment refuse_picks(const Network& strict, const Network& lenient) {
+    SearchResult free = search(strict, {}, context_);
+    if (free.divisions.empty()) return refuse(lenient);
+    return {
+        {},
+        {pick_reason(strict, blamed_picks(lenient, chosen_, context_), free.divisions.front())}};
+  }
+
+  const Model& model_;
+  const Picks& picks_;
+  const Context& context_;
+  SweepProblem problem_;
+  std::vector<Pick> chosen_;
+  bool is_strict_complete_ = false;  ///< some search proved that there is nothing
+  std::optional<Reason> opposed_;    ///< found within the strict limits, but for walls
+};
+
 }  // namespace
 
 Assessment assess(const Model& model, const Picks& picks, Context& context) {
-  SweepProblem problem = sweep_problem(model, context);
-  if (auto reasons = open_edges(problem); !reasons.empty()) return {{}, reasons};
-  const Network network = make_network(std::move(problem), strict_limits());
-  Choices start = open_choices(network);
-  apply(picks, network, start);
-  SearchOptions options;
-  options.is_symmetric = !has_picks(picks);
-  const SearchResult result = search(network, start, options, context);
-  if (!result.divisions.empty()) return {ranked(model, network, result.divisions), {}};
-  return {{}, {{ReasonKind::topological, "No way to sweep this solid was found.", {}}}};
+  return Assessor(model, picks, context).assess();
+}
+
+std::variant<Scheme, std::vector<Reason>> solve_scheme(const Model& model,
+                                                       const std::vector<FaceRole>& roles,
+                                                       Context& context) {
+  const SweepProblem problem = sweep_problem(model, context);
+  if (auto reasons = reasons_in_boundary(problem); !reasons.empty()) return reasons;
+  const Network network = make_network(problem, lenient_limits());
+  std::vector<Pick> picks;
+  for (const ProblemFace& face : problem.faces)
+    picks.emplace_back(face.id, states_of(roles.at(face.id.index)));
+  const SearchResult result =
+      search_states(network, start_of(network, picks), SearchOptions{}, context);
+  if (result.divisions.empty()) return reasons_of_failure(network, result, context);
+  return to_scheme(network, result.divisions.front(), model.n_faces(), model.n_edges());
 }
 
 }  // namespace sweepmesh

@@ -103,8 +103,8 @@ class FaceSolver {
     return std::atan2(y, x) / 4;
   }
 
-  /// Hole: only directions near its headings in the frame. Outer loop: the coedge that lies best in the frame has the
-  /// direction that it has there.
+  /// Hole: only directions near its headings in the frame. Outer loop: the coedge that lies best in
+  /// the frame has the direction that it has there.
   LoopProgram in_frame(std::size_t l, double frame) const {
     LoopProgram out = program(l, l == 0 ? 4 : -4);
     const ProblemLoop& loop = face_.loops[l];
@@ -131,6 +131,7 @@ class FaceSolver {
     for (const LoopProgram& p : programs) {
       loops.push_back(loop_marginals(p));
       sum += loops.back().best;
+      out_.work += loops.back().work;
       if (sum == kImpossible) return;
     }
     out_.best = std::min(out_.best, sum);
@@ -162,7 +163,8 @@ double FaceCosts::of_role(FaceRole role) const {
   return *std::min_element(m.begin(), m.begin() + 4);
 }
 
-FaceCosts face_costs(const SweepProblem& problem, int face, const std::vector<StateCosts>& coedge_cost,
+FaceCosts face_costs(const SweepProblem& problem, int face,
+                     const std::vector<StateCosts>& coedge_cost,
                      const std::vector<std::array<double, 4>>& corner_cost,
                      const Preferences& preferences) {
   return FaceSolver(problem, face, coedge_cost, corner_cost, preferences).solve();

@@ -8,10 +8,12 @@ namespace sweepmesh {
 
 namespace {
 
-constexpr StateSet kAxialStates = 0b001010, kTransverseStates = 0b000101;
+constexpr StateSet kTransverseStates = 0b000101;
 constexpr int kPlusK = static_cast<int>(Direction::plus_k);
 
-bool is_within(StateSet set, StateSet all) { return set != 0 && (set & ~all) == 0; }
+bool is_within(StateSet set, StateSet all) {
+  return set != 0 && (set & ~all) == 0;
+}
 
 class Groups {
  public:
@@ -154,24 +156,6 @@ bool has_both_ends(const Network& network, const Choices& choices) {
 bool is_euler_balanced(const Network& network, const Choices& choices) {
   return relative_euler(network, choices, kSourceState) ==
          relative_euler(network, choices, kTargetState);
-}
-
-bool do_shells_agree(const Network& network, const Choices& choices) {
-  std::vector<Point3> axis;
-  for (const ProblemFace& face : network.problem.faces)
-    if (face.shell >= static_cast<int>(axis.size())) axis.resize(face.shell + 1, Point3::Zero());
-  for (const ProblemEdge& edge : network.problem.edges) {
-    const StateSet state = choices.domain[edge.coedge[0]];
-    if (!is_within(state, kAxialStates)) continue;
-    const double sign = has(state, kPlusK) ? 1.0 : -1.0;
-    axis[network.problem.faces[network.problem.coedges[edge.coedge[0]].face].shell] +=
-        sign * edge.chord;
-  }
-  constexpr double kMinCosine = 0.5;  // 60 degrees
-  for (std::size_t a = 0; a < axis.size(); ++a)
-    for (std::size_t b = a + 1; b < axis.size(); ++b)
-      if (axis[a].dot(axis[b]) < kMinCosine * axis[a].norm() * axis[b].norm()) return false;
-  return true;
 }
 
 }  // namespace sweepmesh

@@ -12,10 +12,12 @@ constexpr int kMaxTurning = 48;
 constexpr std::array kTypes = {VertexType::end, VertexType::side, VertexType::corner,
                                VertexType::reversal};
 
-int direction_after(int first, int turning) { return ((first + turning) % 4 + 4) % 4; }
+int direction_after(int first, int turning) {
+  return ((first + turning) % 4 + 4) % 4;
+}
 
-/// Costs by (coedge, turning since coedge 0), for one direction of coedge 0. Only turnings are kept from which the sum can still
-/// be met.
+/// Costs by (coedge, turning since coedge 0), for one direction of coedge 0. Only turnings are kept
+/// from which the sum can still be met.
 class TurningTable {
  public:
   TurningTable(int n, int sum) : n_(n), sum_(sum), width_(2 * kMaxTurning + 1) {
@@ -70,6 +72,7 @@ class LoopSolver {
   void sweep_forward(int first, int c, TurningTable& ahead) {
     for (int h = ahead.lowest(c); h <= ahead.highest(c); ++h) {
       if (ahead.at(c, h) == kInf) continue;
+      out_.work += 4;
       for (int t = 0; t < 4; ++t) {
         const int next = h + static_cast<int>(kTypes[t]);
         if (!ahead.has(c + 1, next)) continue;
@@ -101,7 +104,7 @@ class LoopSolver {
 }  // namespace
 
 LoopMarginals loop_marginals(const LoopProgram& loop) {
-  if (loop.type_cost.empty()) return {kInf, {}};
+  if (loop.type_cost.empty()) return {kInf, 0, {}};
   return LoopSolver(loop).solve();
 }
 

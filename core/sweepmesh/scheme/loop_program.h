@@ -10,25 +10,31 @@ namespace sweepmesh {
 
 /// One loop of a linking face. Entry c is coedge c and the corner where it ends.
 struct LoopProgram {
-  /// Cost of each direction (index: static_cast<int>(Direction)) of a coedge; infinite: not possible.
+  /// Cost of each direction (index: static_cast<int>(Direction)) of a coedge; infinite: not
+  /// possible.
   std::vector<std::array<double, 4>> direction_cost;
-  /// Cost of the types END, SIDE, CORNER, REVERSAL (in that order) of a corner; infinite: not allowed.
+  /// Cost of the types END, SIDE, CORNER, REVERSAL (in that order) of a corner; infinite: not
+  /// allowed.
   std::vector<std::array<double, 4>> type_cost;
   /// What the types must add up to: 4 for an outer loop, -4 for a hole, 0 around an annulus.
   int sum = 4;
 };
 
-/// `marginal[c][d]`: least cost of the loop when coedge c has direction d; infinite where it cannot.
+/// `marginal[c][d]`: least cost of the loop when coedge c has direction d; infinite where it
+/// cannot.
 struct LoopMarginals {
   double best = 0.0;
+  long work = 0;  ///< steps of the path that were looked at
   std::vector<std::array<double, 4>> marginal;
 };
 
-/// Exact. Cost: n times the range that the turning can take (a few values where the sum is tight), which is never beyond 48
-/// quarter turns either way: no face spirals that far. An empty loop cannot be.
+/// Exact. Cost: n times the range that the turning can take (a few values where the sum is tight),
+/// which is never beyond 48 quarter turns either way: no face spirals that far. An empty loop
+/// cannot be.
 LoopMarginals loop_marginals(const LoopProgram& loop);
 
-/// Type costs of a corner from its interior angle (limits.h); infinite for types outside the limits.
+/// Type costs of a corner from its interior angle (limits.h); infinite for types outside the
+/// limits.
 std::array<double, 4> corner_costs(double angle, const AngleLimits& limits);
 
 }  // namespace sweepmesh

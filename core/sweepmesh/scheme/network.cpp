@@ -14,10 +14,13 @@ namespace {
 constexpr std::array kTypes = {VertexType::end, VertexType::side, VertexType::corner,
                                VertexType::reversal};
 constexpr std::array kRoles = {kLinkingStates, kSourceStates, kTargetStates};
+/// What the rest of a face's renewal takes, in steps of a path.
+constexpr long kWorkPerCoedge = 40;
 
 /// Sums of costs are compared with this slack, which rounding stays far below.
-double slack(double cost) { return 1e-9 * (1.0 + cost); }
-
+double slack(double cost) {
+  return 1e-9 * (1.0 + cost);
+}
 
 double pair_cost(const Network& n, int coedge, int state, int other) {
   const int edge = n.problem.coedges[coedge].edge;
@@ -58,13 +61,13 @@ class Propagation {
  private:
   bool renew(int face) {
     const int first = n_.problem.first_coedge(face), count = n_.problem.n_coedges(face);
-    effort_ += count;
     if (count == 0) return true;
     std::vector<StateCosts> own;
     for (int c = first; c < first + count; ++c) own.push_back(own_costs(n_, choices_, c));
     const std::vector<std::array<double, 4>> corner(n_.corner.begin() + first,
                                                     n_.corner.begin() + first + count);
     FaceCosts costs = face_costs(n_.problem, face, own, corner, n_.preferences);
+    effort_ += costs.work + kWorkPerCoedge * count;
     if (costs.best == kImpossible) return false;
     choices_.bound += costs.best - choices_.face_bound[face];
     choices_.face_bound[face] = costs.best;
@@ -108,10 +111,9 @@ Network make_network(SweepProblem problem, const AngleLimits& limits,
   Network out{std::move(problem), {}, {}, preferences};
   out.pair = pair_costs(out.problem, limits, preferences);
   for (const ProblemCoedge& coedge : out.problem.coedges)
-    out.corner.push_back(corner_costs(coedge.angle, limits));
+    out.corner.push_back(corner_costs(coedge.angle, of_place(limits, coedge.is_rounded)));
   for (const FixedCorner& f : fixed)
-    for (int t = 0; t < 4; ++t)
-      out.corner[f.coedge][t] = kTypes[t] == f.type ? 0.0 : kImpossible;
+    for (int t = 0; t < 4; ++t) out.corner[f.coedge][t] = kTypes[t] == f.type ? 0.0 : kImpossible;
   return out;
 }
 
@@ -146,9 +148,8 @@ void set_state(const Network& network, Choices& choices, int coedge, StateSet st
   touched.push_back(network.problem.coedges[c.partner].face);
 }
 
-std::optional<Conflict> propagate(const Network& network, double max_cost,
-                                  std::vector<int> touched, Choices& choices, long& effort,
-                                  const Context& context) {
+std::optional<Conflict> propagate(const Network& network, double max_cost, std::vector<int> touched,
+                                  Choices& choices, long& effort, const Context& context) {
   return Propagation(network, max_cost, choices, effort).run(std::move(touched), context);
 }
 

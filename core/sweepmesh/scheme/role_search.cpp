@@ -9,10 +9,15 @@ namespace {
 
 constexpr std::array kRoles = {kLinkingStates, kSourceStates, kTargetStates};
 
-bool is_one_role(StateSet role) { return std::ranges::find(kRoles, role) != kRoles.end(); }
+bool is_one_role(StateSet role) {
+  return std::ranges::find(kRoles, role) != kRoles.end();
+}
 
 /// Costs closer than this are equal: a second scheme of the same roles must be better by more.
 constexpr double kTie = 1e-6;
+
+/// What a node of the search takes besides its propagation, in the unit of the effort.
+constexpr long kWorkPerCoedge = 30;
 
 class Search {
  public:
@@ -57,8 +62,9 @@ class Search {
     return best;
   }
 
-  /// Some face is a source. Taking the faces in turn as such, each excludes itself from the caps of what follows: with sources
-  /// and targets alike, all schemes that have it as a cap have been seen.
+  /// Some face is a source. Taking the faces in turn as such, each excludes itself from the caps of
+  /// what follows: with sources and targets alike, all schemes that have it as a cap have been
+  /// seen.
   void from_each_seed(Choices start) {
     std::vector<int> seeds;
     for (bool is_cap_only : {true, false})
@@ -104,9 +110,10 @@ class Search {
   }
 
   void branch_roles(const Choices& choices) {
+    effort_ += kWorkPerCoedge * choices.domain.size();
     if (is_exhausted()) return;
     if (!level_groups(n_, choices)) {
-      ++result_.n_without_levels;
+      ++result_.rejections.n_without_levels;
       return;
     }
     const int face = clearest_face(choices);
@@ -155,9 +162,10 @@ class Search {
   }
 
   void branch_states(const Choices& choices) {
+    effort_ += kWorkPerCoedge * choices.domain.size();
     if (is_exhausted() || choices.bound > states_limit_) return;
     if (!level_groups(n_, choices)) {
-      ++result_.n_without_levels;
+      ++result_.rejections.n_without_levels;
       return;
     }
     const int coedge = clearest_coedge(choices);
@@ -175,16 +183,22 @@ class Search {
   }
 
   void take(const Choices& choices) {
-    if (!has_both_ends(n_, choices)) {
-      ++result_.n_without_ends;
-    } else if (!is_euler_balanced(n_, choices)) {
-      ++result_.n_unbalanced;
-    } else if (!do_shells_agree(n_, choices)) {
-      ++result_.n_voids_askew;
-    } else {
-      best_states_ = Division{choices, choices.bound};
-      states_limit_ = choices.bound - kTie;
-    }
+    if (!is_accepted(choices)) return;
+    best_states_ = Division{choices, choices.bound};
+    states_limit_ = choices.bound - kTie;
+  }
+
+  /// The conditions that single faces cannot tell.
+  bool is_accepted(const Choices& choices) {
+    Rejections& why = result_.rejections;
+    if (!has_both_ends(n_, choices)) return ++why.n_without_ends, false;
+    if (!is_euler_balanced(n_, choices)) return ++why.n_unbalanced, false;
+    if (!do_shells_agree(n_, choices)) return ++why.n_voids_askew, false;
+    const auto walls = opposed_walls(n_, choices);
+    if (!walls) return true;
+    ++why.n_walls_opposed;
+    if (!why.walls) why.walls = walls;
+    return false;
   }
 
   const Network& n_;

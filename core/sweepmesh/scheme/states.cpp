@@ -6,9 +6,12 @@ namespace sweepmesh {
 
 namespace {
 
-constexpr int state(Direction d) { return static_cast<int>(d); }
+constexpr int state(Direction d) {
+  return static_cast<int>(d);
+}
 
-double edge_cost(const ProblemEdge& edge, VertexType type, const AngleLimits& limits) {
+double edge_cost(const ProblemEdge& edge, VertexType type, const AngleLimits& general) {
+  const AngleLimits limits = of_place(general, edge.is_rounded);
   if (!is_edge_allowed(edge.least, edge.largest, type, limits)) return kImpossible;
   return angle_cost(edge.mean, type);
 }
@@ -20,7 +23,9 @@ void set_both(PairCosts& costs, int a, int b, double cost) {
 
 }  // namespace
 
-int first_state(StateSet set) { return std::countr_zero(set); }
+int first_state(StateSet set) {
+  return std::countr_zero(set);
+}
 
 PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits,
                      const Preferences& preferences) {
@@ -44,7 +49,8 @@ PairCosts pair_costs(const ProblemEdge& edge, const AngleLimits& limits,
 std::vector<PairCosts> pair_costs(const SweepProblem& problem, const AngleLimits& limits,
                                   const Preferences& preferences) {
   std::vector<PairCosts> out;
-  for (const ProblemEdge& edge : problem.edges) out.push_back(pair_costs(edge, limits, preferences));
+  for (const ProblemEdge& edge : problem.edges)
+    out.push_back(pair_costs(edge, limits, preferences));
   return out;
 }
 

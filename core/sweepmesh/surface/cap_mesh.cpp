@@ -5,10 +5,12 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "sweepmesh/surface/cap_map.h"
 #include "sweepmesh/surface/chart.h"
+#include "sweepmesh/surface/planar_pair.h"
 
 namespace sweepmesh {
 namespace {
@@ -63,11 +65,11 @@ double corner_jacobian(const std::vector<Point3>& points, std::span<const int> c
   return least;
 }
 
-void place_inside(const Model& model, FaceId face, const Chart& chart, CapMesh& cap) {
+void place_inside(const Model& model, const Chart& chart, CapMesh& cap) {
   for (int i = cap.plane.n_boundary; i < cap.plane.n_nodes(); ++i) {
     const Point2 p = cap.is_mirrored ? mirrored(cap.plane.points[i]) : cap.plane.points[i];
     cap.uv.push_back(chart.uv(p));
-    cap.points.push_back(chart.metric() ? model.point(face, cap.uv.back()) : chart.point(p));
+    cap.points.push_back(chart.metric() ? model.point(cap.face, cap.uv.back()) : chart.point(p));
   }
 }
 
@@ -79,26 +81,68 @@ void take_boundary(const std::vector<CapNode>& nodes, CapMesh& cap) {
   }
 }
 
-/// The target's loops for the source's: seen from outside they run the other way.
-CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary) {
+/// The target's loops for the source's: seen from outside those of an opposite face run the other way.
+CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary, Facing facing) {
   CapLoops loops;
   auto first = boundary.begin();
   for (const int n : source.loop_sizes) {
-    loops.emplace_back(std::make_reverse_iterator(first + n), std::make_reverse_iterator(first));
+    if (facing == Facing::same)
+      loops.emplace_back(first, first + n);
+    else
+      loops.emplace_back(std::make_reverse_iterator(first + n), std::make_reverse_iterator(first));
     first += n;
   }
   return loops;
 }
 
-/// The mirrored chart points of the target's boundary in the order of the source's nodes.
-std::vector<Point2> boundary_in_chart(const Chart& chart) {
-  std::vector<std::vector<Point2>> by_loop(chart.order().size());
-  for (std::size_t k = 0; k < by_loop.size(); ++k) {
+/// The chart points of the target's boundary, in the order of the source's loops and nodes; mirrored for an
+/// opposite face.
+PlanarLoops loops_in_chart(const Chart& chart, Facing facing) {
+  PlanarLoops out(chart.order().size());
+  for (std::size_t k = 0; k < out.size(); ++k) {
     const auto& loop = chart.loops()[k];
-    auto& out = by_loop[chart.order()[k]];
-    std::transform(loop.rbegin(), loop.rend(), std::back_inserter(out), mirrored);
+    auto& own = out[chart.order()[k]];
+    if (facing == Facing::same)
+      own = loop;
+    else
+      std::transform(loop.rbegin(), loop.rend(), std::back_inserter(own), mirrored);
   }
-  return flattened(by_loop);
+  return out;
+}
+
+std::shared_ptr<const Chart> make_chart(const Model& model, FaceId face, const CapLoops& loops, double size,
+                                        std::optional<int> outer, const Context& context) {
+  return std::make_shared<const Chart>(model, face, loops, facet_share * size, context, outer);
+}
+
+CapMesh empty_source(FaceId face, const std::shared_ptr<const Chart>& chart, const CapLoops& boundary) {
+  CapMesh cap;
+  cap.face = face;
+  cap.metric = shared_metric(chart, false);
+  for (const int loop : chart->order()) {
+    take_boundary(boundary[loop], cap);
+    cap.loop_sizes.push_back(static_cast<int>(boundary[loop].size()));
+  }
+  return cap;
+}
+
+CapMesh empty_target(FaceId face, const std::shared_ptr<const Chart>& chart, const CapMesh& source,
+                     const std::vector<CapNode>& boundary, Facing facing) {
+  CapMesh cap;
+  cap.face = face;
+  cap.is_mirrored = facing == Facing::opposite;
+  cap.metric = shared_metric(chart, cap.is_mirrored);
+  cap.loop_sizes = source.loop_sizes;
+  take_boundary(boundary, cap);
+  return cap;
+}
+
+PlanarMeshOptions options_for(const CapMesh& cap, double size, CellKind kind) {
+  PlanarMeshOptions options;
+  options.size = size;
+  options.kind = kind;
+  options.metric = cap.metric;
+  return options;
 }
 
 /// Whether the loop that is the outer one on the source is so on the target.
@@ -133,47 +177,59 @@ PlanarQuality quality_in_space(const Model& model, const CapMesh& cap) {
 CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, double size, CellKind kind,
                  const Context& context) {
   return naming({name_of(face)}, [&] {
-    const auto chart = std::make_shared<const Chart>(model, face, boundary, facet_share * size, context);
-    CapMesh cap;
-    cap.face = face;
-    cap.metric = shared_metric(chart, false);
-    PlanarMeshOptions options;
-    options.size = size;
-    options.kind = kind;
-    options.metric = cap.metric;
-    cap.plane = mesh_planar(chart->loops(), options, context);
-    for (const int loop : chart->order()) {
-      take_boundary(boundary[loop], cap);
-      cap.loop_sizes.push_back(static_cast<int>(boundary[loop].size()));
-    }
-    place_inside(model, face, *chart, cap);
+    const auto chart = make_chart(model, face, boundary, size, {}, context);
+    CapMesh cap = empty_source(face, chart, boundary);
+    cap.plane = mesh_planar(chart->loops(), options_for(cap, size, kind), context);
+    place_inside(model, *chart, cap);
     return cap;
   });
 }
 
 CapMesh map_cap(const Model& model, const CapMesh& source, FaceId target,
-                const std::vector<CapNode>& boundary, double size, const Context& context) {
-  return naming({name_of(source.face), name_of(target)}, [&] {
+                const std::vector<CapNode>& boundary, double size, const Context& context,
+                Facing facing) {
+  std::vector<std::string> names = {name_of(target)};
+  if (source.face.is_valid()) names.insert(names.begin(), name_of(source.face));
+  return naming(names, [&] {
     if (boundary.size() != source.boundary.size())
       throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
-    const CapLoops loops = loops_like(source, boundary);
     const auto chart =
-        std::make_shared<const Chart>(model, target, loops, facet_share * size, context, 0);
+        make_chart(model, target, loops_like(source, boundary, facing), size, 0, context);
     check_outer_loop(*chart);
-    CapMesh cap;
-    cap.face = target;
-    cap.is_mirrored = true;
-    cap.metric = shared_metric(chart, true);
-    cap.loop_sizes = source.loop_sizes;
+    CapMesh cap = empty_target(target, chart, source, boundary, facing);
     MapOptions options;
     options.source_metric = source.metric;
     options.target_metric = cap.metric;
     cap.plane = source.plane;
     cap.plane.points =
-        map_planar(source.plane, boundary_in_chart(*chart), options, context).points;
-    take_boundary(boundary, cap);
-    place_inside(model, target, *chart, cap);
+        map_planar(source.plane, flattened(loops_in_chart(*chart, facing)), options, context).points;
+    place_inside(model, *chart, cap);
     return cap;
+  });
+}
+
+CapPair mesh_cap_pair(const Model& model, FaceId source, const CapLoops& boundary, FaceId target,
+                      const CapLoops& partner, double size, CellKind kind, const Context& context) {
+  return naming({name_of(source), name_of(target)}, [&] {
+    const auto chart = make_chart(model, source, boundary, size, {}, context);
+    CapPair pair;
+    pair.source = empty_source(source, chart, boundary);
+    std::vector<CapNode> there;
+    for (const int loop : chart->order())
+      there.insert(there.end(), partner.at(loop).begin(), partner.at(loop).end());
+    if (there.size() != pair.source.boundary.size())
+      throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
+    const auto far_chart =
+        make_chart(model, target, loops_like(pair.source, there, Facing::opposite), size, 0, context);
+    check_outer_loop(*far_chart);
+    pair.target = empty_target(target, far_chart, pair.source, there, Facing::opposite);
+    PlanarPair plane = mesh_planar_pair(chart->loops(), loops_in_chart(*far_chart, Facing::opposite),
+                                        options_for(pair.source, size, kind), pair.target.metric, context);
+    pair.target.plane = pair.source.plane = std::move(plane.first);
+    pair.target.plane.points = std::move(plane.second);
+    place_inside(model, *chart, pair.source);
+    place_inside(model, *far_chart, pair.target);
+    return pair;
   });
 }
 

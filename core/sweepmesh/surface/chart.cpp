@@ -9,6 +9,7 @@
 
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
+#include "sweepmesh/surface/quad_mesher.h"
 
 namespace sweepmesh {
 namespace {
@@ -162,14 +163,14 @@ bool Chart::is_one_to_one() const {
     if (!(area > 0.0)) return false;
     inside += area;
   }
-  try {
-    for (const Triangle& t : constrained_delaunay({flat_.begin(), flat_.begin() + flattened(loops_).size()},
-                                                  numbered(loops_)))
-      bounded += 0.5 * edges_of(flat_, t).determinant();
-  } catch (const InputError&) {
-    return false;
+  PlanarLoops loops;
+  auto node = flat_.begin();
+  for (const auto& loop : loops_) {
+    loops.emplace_back(node, node + loop.size());
+    bounded += signed_area(loops.back());
+    node += loop.size();
   }
-  return std::abs(inside - bounded) <= model_->tolerances().relative * inside;
+  return is_domain(loops) && std::abs(inside - bounded) <= model_->tolerances().relative * inside;
 }
 
 void Chart::prepare_search() {

@@ -117,15 +117,12 @@ PlanarMesh with_cells(const PlanarMesh& mesh, const std::vector<Cell>& cells) {
 /// Quads under change: which quads use a node, and what each node wishes.
 class Editor {
  public:
-  explicit Editor(const PlanarMesh& mesh) : points_(mesh.points), n_boundary_(mesh.n_boundary) {
+  Editor(const PlanarMesh& mesh, const std::vector<std::vector<double>>& angles)
+      : points_(mesh.points), n_boundary_(mesh.n_boundary), angles_(angles) {
     at_node_.resize(mesh.n_nodes());
-    wish_.assign(mesh.n_nodes(), 4.0);
-    for (int i = 0; i < n_boundary_; ++i) wish_[i] = 0.0;
     for (int c = 0; c < mesh.n_cells(); ++c) {
       std::array<int, 4> q;
       std::copy_n(mesh.cell(c).begin(), 4, q.begin());
-      for (int i = 0; i < 4; ++i)
-        if (q[i] < n_boundary_) wish_[q[i]] += corner_angle(q, i) / (0.5 * std::numbers::pi);
       add(q);
     }
   }
@@ -156,12 +153,6 @@ class Editor {
  private:
   using Quad = std::array<int, 4>;
 
-  double corner_angle(const Quad& q, int i) const {
-    const Point2 a = points_[q[(i + 1) % 4]] - points_[q[i]], b = points_[q[(i + 3) % 4]] - points_[q[i]];
-    const double angle = std::atan2(cross2(a, b), a.dot(b));
-    return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
-  }
-
   void add(const Quad& q) {
     for (const int node : q) at_node_[node].push_back(static_cast<int>(quads_.size()));
     quads_.push_back(q);
@@ -172,11 +163,18 @@ class Editor {
   }
 
   int valence(int node) const { return static_cast<int>(at_node_[node].size()); }
-  /// How far a node with `n` quads is from its wish; the boundary cannot give way, so it counts more.
+  /// How far `n` quads at a node are from its wish; the boundary cannot give way, so it counts more, and
+  /// most of all where a quad would have to open its corner almost flat.
   double cost(int node, int n) const {
-    constexpr double boundary_weight = 3.0;
-    const double off = n - wish_[node];
-    return (node < n_boundary_ ? boundary_weight : 1.0) * off * off;
+    constexpr double boundary_weight = 3.0, flat_weight = 50.0, flat = 1.75;
+    if (node >= n_boundary_) return (n - 4.0) * (n - 4.0);
+    double most = 0.0;
+    for (const auto& shape : angles_) {
+      const double wish = shape[node] / (0.5 * std::numbers::pi);
+      const double open = std::max(0.0, wish / n - flat);
+      most = std::max(most, boundary_weight * (n - wish) * (n - wish) + flat_weight * open);
+    }
+    return most;
   }
   /// Change of the cost when `node` gets `change` more quads.
   double gain(int node, int change) const {
@@ -290,8 +288,52 @@ class Editor {
   int n_boundary_;
   std::vector<Quad> quads_;
   std::vector<std::vector<int>> at_node_;
-  std::vector<double> wish_;
+  const std::vector<std::vector<double>>& angles_;
 };
+
+/// Of a cell without inside nodes and of two loops or more, the loop that comes last.
+void mark_tied_holes(const PlanarMesh& mesh, const std::vector<int>& loop_of, std::vector<char>& marks) {
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    int first = static_cast<int>(marks.size()), last = -1;
+    bool has_inside_node = false;
+    for (const int node : mesh.cell(c)) {
+      if (node >= mesh.n_boundary) {
+        has_inside_node = true;
+        continue;
+      }
+      first = std::min(first, loop_of[node]);
+      last = std::max(last, loop_of[node]);
+    }
+    if (!has_inside_node && first != last) marks[last] = 1;
+  }
+}
+
+void mark_flat_corners(const PlanarMesh& mesh, const std::vector<int>& loop_of,
+                       const std::vector<std::vector<double>>& angles, std::vector<char>& marks) {
+  constexpr double flat = 150.0 / 180.0 * std::numbers::pi;
+  std::vector<int> count(mesh.n_nodes(), 0);
+  for (const int node : mesh.cell_nodes) ++count[node];
+  for (int i = 0; i < mesh.n_boundary; ++i)
+    for (const auto& shape : angles)
+      if (shape[i] > flat * count[i]) marks[loop_of[i]] = 1;
+}
+
+/// New nodes a little inside of a loop's, for the cells there to use, and the quads between.
+void add_ring(int first, int count, std::vector<int>& number, PlanarMesh& mesh) {
+  constexpr double share = 0.3;  // of the boundary edges
+  const int ring = mesh.n_nodes();
+  for (int i = 0; i < count; ++i) {
+    const Point2& p = mesh.points[first + i];
+    const Point2 along = mesh.points[first + (i + 1) % count] - mesh.points[first + (i + count - 1) % count];
+    number[first + i] = ring + i;
+    mesh.points.push_back(p + 0.5 * share * Point2(-along.y(), along.x()));
+  }
+  for (int i = 0; i < count; ++i) {
+    const int next = (i + 1) % count;
+    const std::array<int, 4> quad = {first + i, first + next, ring + next, ring + i};
+    mesh.add_cell(quad);
+  }
+}
 
 }  // namespace
 
@@ -306,10 +348,35 @@ std::optional<PlanarMesh> with_triangles_paired(const PlanarMesh& mesh) {
   }
 }
 
-PlanarMesh with_regular_valences(const PlanarMesh& mesh) {
-  Editor editor(mesh);
+PlanarMesh with_regular_valences(const PlanarMesh& mesh,
+                                 const std::vector<std::vector<double>>& angles) {
+  Editor editor(mesh, angles);
   editor.run();
   return editor.result();
+}
+
+PlanarMesh with_rings(const PlanarMesh& mesh, const PlanarLoops& loops,
+                      const std::vector<std::vector<double>>& angles) {
+  std::vector<int> loop_of;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    loop_of.insert(loop_of.end(), loops[l].size(), static_cast<int>(l));
+  std::vector<char> is_ringed(loops.size(), 0);
+  mark_tied_holes(mesh, loop_of, is_ringed);
+  mark_flat_corners(mesh, loop_of, angles, is_ringed);
+  PlanarMesh out;
+  out.points = mesh.points;
+  out.n_boundary = mesh.n_boundary;
+  std::vector<int> number(mesh.n_nodes());
+  for (int i = 0; i < mesh.n_nodes(); ++i) number[i] = i;
+  int first = 0;
+  for (std::size_t l = 0; l < loops.size(); first += static_cast<int>(loops[l++].size()))
+    if (is_ringed[l]) add_ring(first, static_cast<int>(loops[l].size()), number, out);
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    Cell cell;
+    for (const int node : mesh.cell(c)) cell.push_back(number[node]);
+    out.add_cell(cell);
+  }
+  return out;
 }
 
 PlanarMesh refined_to_quads(const PlanarMesh& mesh, const PlanarLoops& boundary) {

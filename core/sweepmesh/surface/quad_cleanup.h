@@ -22,8 +22,17 @@ namespace sweepmesh {
 std::optional<PlanarMesh> with_triangles_paired(const PlanarMesh& mesh);
 
 /// Fewer irregular nodes. All cells must be quads. Nodes that nothing uses any more are left out; the others
-/// keep their order. Cells may come out inverted: smooth afterwards.
-PlanarMesh with_regular_valences(const PlanarMesh& mesh);
+/// keep their order. `angles` are the interior angles at the boundary nodes, one row for each shape that the
+/// boundary is to take: a node wishes a number of quads that suits all. Cells may come out inverted: smooth
+/// afterwards.
+PlanarMesh with_regular_valences(const PlanarMesh& mesh,
+                                 const std::vector<std::vector<double>>& angles);
+
+/// A ring of quads put around every loop that needs one: a hole that shares a cell with another loop and has no
+/// inside node there (so that it may move on its own), and a loop where a single cell has to open its corner
+/// almost flat in one of the shapes of `angles`. Cells may come out inverted. `loops` are the mesh's boundary.
+PlanarMesh with_rings(const PlanarMesh& mesh, const PlanarLoops& loops,
+                      const std::vector<std::vector<double>>& angles);
 
 /// Every triangle cut into three quads, every quad into four, with new nodes on the middle of inside edges
 /// and of cells. `boundary` are the nodes of the finer boundary: those of the mesh are every second one.

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
+#include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/numerics/gmsh/gmsh.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_templates.h"
+#include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
 namespace {
@@ -29,6 +32,9 @@ void check_input(const PlanarLoops& loops, const PlanarMeshOptions& options) {
     if ((signed_area(loops[l]) > 0.0) != (l == 0))
       throw InputError("surface", "The boundary loops of a cap do not run around its face.");
   }
+  if (!is_domain(loops))
+    throw InputError("surface",
+                     "The boundary loops of a cap touch or cross; choose a smaller element size.");
   if (options.kind == CellKind::quad && n_edges % 2 != 0)
     throw InputError("surface", "A cap's boundary has an odd number of mesh edges, so quads cannot fill it.");
 }
@@ -75,58 +81,73 @@ PlanarMesh by_gmsh(const PlanarLoops& loops, GmshAlgorithm algorithm, double siz
   return from_gmsh(mesh_by_gmsh(loops, options, context), loops);
 }
 
-std::optional<PlanarMesh> unstructured(const PlanarLoops& loops, GmshAlgorithm algorithm,
-                                       const PlanarMeshOptions& options, const Context& context) {
-  const auto quads = with_triangles_paired(by_gmsh(loops, algorithm, options.size, true, context));
+/// All that making one unstructured candidate needs.
+struct Task {
+  const PlanarLoops& loops;
+  const PlanarMeshOptions& options;
+  const BoundaryAngles& angles;
+  const Context& context;
+};
+
+PlanarMesh cleaned(const PlanarMesh& quads, const Task& task) {
+  const Metric& metric = task.options.metric;
+  return smoothed(with_regular_valences(smoothed(quads, metric, task.context), task.angles), metric,
+                  task.context);
+}
+
+std::optional<PlanarMesh> unstructured(GmshAlgorithm algorithm, const Task& task) {
+  const auto quads =
+      with_triangles_paired(by_gmsh(task.loops, algorithm, task.options.size, true, task.context));
   if (!quads) return std::nullopt;
-  return smoothed(with_regular_valences(smoothed(*quads, options.metric, context)), options.metric, context);
+  return cleaned(*quads, task);
 }
 
 /// Possible where every loop has an even number of edges.
-std::optional<PlanarMesh> by_halving(const PlanarLoops& loops, const PlanarMeshOptions& options,
-                                     const Context& context) {
+std::optional<PlanarMesh> by_halving(const Task& task) {
   PlanarLoops half;
-  for (const auto& loop : loops) {
+  for (const auto& loop : task.loops) {
     if (loop.size() % 2 != 0 || loop.size() < 6) return std::nullopt;
     half.emplace_back();
     for (std::size_t i = 0; i < loop.size(); i += 2) half.back().push_back(loop[i]);
   }
-  const PlanarMesh coarse = by_gmsh(half, GmshAlgorithm::frontal, 2.0 * options.size, true, context);
-  const PlanarMesh quads = refined_to_quads(coarse, loops);
-  return smoothed(with_regular_valences(smoothed(quads, options.metric, context)), options.metric, context);
+  const double size = 2.0 * task.options.size;
+  return cleaned(refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), task.loops),
+                 task);
 }
 
-class Best {
- public:
-  explicit Best(const Metric& metric) : metric_(metric) {}
-  void offer(std::optional<PlanarMesh> mesh) {
-    if (!mesh) return;
-    const double value = score(*mesh, metric_);
-    if (mesh_ && value <= value_) return;
-    mesh_ = std::move(mesh);
-    value_ = value;
+/// Lets one way of meshing fail, as long as another one works.
+template <class Make>
+void try_to_add(const Make& make, std::vector<PlanarMesh>& out, std::optional<SolverError>& failure) {
+  try {
+    if (std::optional<PlanarMesh> mesh = make()) out.push_back(std::move(*mesh));
+  } catch (const SolverError& e) {
+    failure = e;
   }
-  double min_quality() const { return mesh_ ? quality(mesh_->points, *mesh_, metric_).min : -1.0; }
-  std::optional<PlanarMesh>& mesh() { return mesh_; }
+}
 
- private:
-  const Metric& metric_;
-  std::optional<PlanarMesh> mesh_;
-  double value_ = 0.0;
-};
+double worst(const std::vector<PlanarMesh>& meshes, const Metric& metric) {
+  double best = -1.0;
+  for (const PlanarMesh& m : meshes) best = std::max(best, quality(m.points, m, metric).min);
+  return best;
+}
 
-PlanarMesh best_quads(const PlanarLoops& loops, const PlanarMeshOptions& options, const Context& context) {
-  constexpr double poor = 0.2;
-  Best best(options.metric);
-  for (const PlanarMesh& candidate : structured_candidates(loops, options.size))
-    best.offer(smoothed(candidate, options.metric, context));
-  if (best.min_quality() >= good_enough) return *best.mesh();
+std::vector<PlanarMesh> quad_candidates(const Task& task) {
+  constexpr double poor = 0.3;
+  std::vector<PlanarMesh> out;
+  std::optional<SolverError> failure;
+  for (const PlanarMesh& pattern : structured_candidates(task.loops, task.options.size))
+    out.push_back(smoothed(pattern, task.options.metric, task.context));
+  if (worst(out, task.options.metric) >= good_enough) return out;
   for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms})
-    best.offer(unstructured(loops, algorithm, options, context));
-  if (best.min_quality() < poor) best.offer(by_halving(loops, options, context));
-  if (!best.mesh())
-    throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");
-  return *best.mesh();
+    try_to_add([&] { return unstructured(algorithm, task); }, out, failure);
+  if (worst(out, task.options.metric) < poor) {
+    try_to_add([&] { return by_halving(task); }, out, failure);
+    for (std::size_t i = 0, n = out.size(); i < n; ++i)
+      out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
+  }
+  if (!out.empty()) return out;
+  if (failure) throw *failure;
+  throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");
 }
 
 std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
@@ -182,22 +203,61 @@ PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context&
   return out;
 }
 
-PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options, const Context& context) {
+std::vector<double> interior_angles(const PlanarLoops& loops) {
+  std::vector<double> out;
+  for (const auto& loop : loops) {
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point2 in = loop[i] - loop[(i + n - 1) % n], along = loop[(i + 1) % n] - loop[i];
+      out.push_back(std::numbers::pi - std::atan2(cross2(in, along), in.dot(along)));
+    }
+  }
+  return out;
+}
+
+bool is_domain(const PlanarLoops& loops) {
+  std::vector<std::vector<int>> numbers;
+  int first = 0;
+  double wished = 0.0, found = 0.0;
+  for (const auto& loop : loops) {
+    wished += signed_area(loop);
+    numbers.emplace_back(loop.size());
+    for (int& i : numbers.back()) i = first++;
+  }
+  try {
+    const std::vector<Point2> points = flattened(loops);
+    for (const auto& [a, b, c] : constrained_delaunay(points, numbers))
+      found += 0.5 * cross2(points[b] - points[a], points[c] - points[a]);
+  } catch (const InputError&) {
+    return false;
+  }
+  constexpr double rounding = 1e-9;  // of areas
+  return wished > 0.0 && std::abs(found - wished) <= rounding * wished;
+}
+
+std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarMeshOptions& options,
+                                         const BoundaryAngles& angles, const Context& context) {
   check_input(loops, options);
-  const PlanarMesh mesh =
-      options.kind == CellKind::quad
-          ? best_quads(loops, options, context)
-          : smoothed(by_gmsh(loops, GmshAlgorithm::frontal, options.size, false, context), options.metric,
-                     context);
+  if (options.kind == CellKind::quad) return quad_candidates({loops, options, angles, context});
+  return {smoothed(by_gmsh(loops, GmshAlgorithm::frontal, options.size, false, context), options.metric,
+                   context)};
+}
+
+PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options, const Context& context) {
+  std::vector<PlanarMesh> all = candidate_meshes(loops, options, {interior_angles(loops)}, context);
+  const auto best = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return score(a, options.metric) < score(b, options.metric);
+  });
+  constexpr double worth_raising = 0.7;
+  best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);
   std::vector<long> inverted;
-  for (int c = 0; c < mesh.n_cells(); ++c)
-    if (scaled_jacobian(mesh.points, mesh.cell(c), options.metric) <= 0.0) inverted.push_back(c);
-  if (!inverted.empty())
-    throw InvalidMeshError("surface",
-                           "The mesh of a cap keeps " + std::to_string(inverted.size()) +
-                               " inverted cells; try a smaller element size.",
-                           {}, inverted);
-  return mesh;
+  for (int c = 0; c < best->n_cells(); ++c)
+    if (scaled_jacobian(best->points, best->cell(c), options.metric) <= 0.0) inverted.push_back(c);
+  if (inverted.empty()) return std::move(*best);
+  throw InvalidMeshError("surface",
+                         "The mesh of a cap keeps " + std::to_string(inverted.size()) +
+                             " inverted cells; try a smaller element size.",
+                         {}, inverted);
 }
 
 }  // namespace sweepmesh

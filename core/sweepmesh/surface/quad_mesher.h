@@ -22,6 +22,13 @@ struct PlanarMeshOptions {
   Metric metric;
 };
 
+/// Interior angles of the boundary at its nodes, in radians, one row for each shape that the boundary is to take.
+using BoundaryAngles = std::vector<std::vector<double>>;
+std::vector<double> interior_angles(const PlanarLoops& loops);
+
+/// Whether the loops are simple, apart from one another, and bound one domain on their left.
+bool is_domain(const PlanarLoops& loops);
+
 /// A mesh of the domain left of the loops: their points are its first nodes, their segments its boundary
 /// edges, none is added. Every cell has a positive scaled Jacobian.
 /// Throws InputError (a loop of fewer than three points, crossing or misoriented loops, size not positive,
@@ -30,8 +37,13 @@ struct PlanarMeshOptions {
 PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options,
                        const Context& context);
 
+/// The meshes that mesh_planar chooses from, smoothed, some perhaps with inverted cells; at least one.
+/// The number of cells at a boundary node suits all rows of `angles`. Errors as mesh_planar.
+std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarMeshOptions& options,
+                                         const BoundaryAngles& angles, const Context& context);
+
 /// The same connectivity with inside nodes moved towards cells that are regular and of the local boundary's
-/// size. `is_valid` false in the result's quality is possible only if the input was inverted.
+/// size. What is valid stays valid.
 PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context);
 
 }  // namespace sweepmesh

@@ -20,9 +20,10 @@ struct SubmapBoundary {
   std::vector<std::vector<Point2>> uv;
 };
 
-/// Throws InputError where a loop has a pole (a degenerate edge): no structured grid with k
-/// constant along transverse edges passes it.
+/// The rims of a tube without a seam are turned so that nodes of equal i lie close together (`mesh`
+/// holds the nodes of `edges`). Throws InputError where a loop has a pole (a degenerate edge): no
+/// structured grid with k constant along transverse edges passes it.
 SubmapBoundary submap_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
-                               const EdgeMesh& edges, FaceId face);
+                               const EdgeMesh& edges, const SurfaceMesh& mesh, FaceId face);
 
 }  // namespace sweepmesh

@@ -12,10 +12,13 @@ SCREEN = "1280x900x24"
 
 _USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
-<FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
-<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup></FCParamGroup>
-<FCParamGroup Name="View"><FCBool Name="UseAutoRotation" Value="0"/><FCBool Name="ShowNaviCube" Value="0"/></FCParamGroup>
-<FCParamGroup Name="Units"><FCInt Name="UserSchema" Value="0"/></FCParamGroup>
+<FCParamGroup Name="General">
+ <FCText Name="AutoloadModule">PartWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/>
+</FCParamGroup>
+<FCParamGroup Name="Mod">
+ <FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup>
+</FCParamGroup>
+<FCParamGroup Name="View"><FCBool Name="ShowNaviCube" Value="0"/></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
 
@@ -40,7 +43,13 @@ def run(macro, folder, timeout=300, environment=None):
             ).returncode
     results = folder / "results.json"
     assert results.exists(), f"FreeCAD ended with {status} and left no results:\n{log.read_text()[-4000:]}"
-    return json.loads(results.read_text())
+    return {**json.loads(results.read_text()), "tracebacks": _tracebacks(log.read_text())}
+
+
+def _tracebacks(text):
+    """Errors in slots and observers end no macro: they only reach the log. Failed recomputes are logged there too."""
+    parts = [part.strip() for part in text.split("Traceback (most recent call last):")[1:]]
+    return [part[-600:] for part in parts if "in execute" not in part]
 
 
 class _server:
@@ -49,7 +58,8 @@ class _server:
     def __enter__(self):
         read, write = os.pipe()
         command = ["Xvfb", "-displayfd", str(write), "-screen", "0", SCREEN, "-dpi", "96", "-nolisten", "tcp"]
-        self._process = subprocess.Popen(command, pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        self._process = subprocess.Popen(command, pass_fds=[write], **quiet)
         os.close(write)
         with os.fdopen(read) as numbers:
             return f":{numbers.readline().strip()}"

@@ -13,3 +13,4 @@ def test_macro(macro):
     assert "error" not in results, results["error"]
     failed = [name for name, truth in results["checks"].items() if not truth]
     assert not failed and results["checks"], (failed, results["values"])
+    assert not results["tracebacks"]

@@ -1,9 +1,12 @@
 """What all document objects of the workbench share: property tables, saving and restoring."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from FreeCAD import Qt
 
 translate = Qt.translate
+
+
+EDITABLE, READ_ONLY, HIDDEN = range(3)  # FreeCAD's editor modes
 
 
 @dataclass(frozen=True)
@@ -12,11 +15,16 @@ class Property:
 
     kind: str
     name: str
-    group: str
     text: str
     default: object = None
     values: tuple = ()
-    mode: int = 0  # FreeCAD's editor mode: 0 editable, 1 read-only, 2 hidden
+    group: str = ""
+    mode: int = EDITABLE
+
+
+def in_group(group, mode, *rows):
+    """Return the rows as those of one group and editor mode; a row's own mode stays where it has one."""
+    return tuple(replace(row, group=group, mode=row.mode or mode) for row in rows)
 
 
 def ensure_properties(obj, table):

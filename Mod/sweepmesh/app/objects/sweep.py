@@ -3,7 +3,7 @@ from sweepmesh import engine
 from sweepmesh.engine.errors import input_error
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.app.kept_meshes import KeptMeshes
-from sweepmesh.app.objects.base import Property, Proxy
+from sweepmesh.app.objects.base import EDITABLE, HIDDEN, READ_ONLY, Property, Proxy, in_group
 from sweepmesh.app.progress import ProgressBar
 from sweepmesh.app.remembered import fingerprint, take
 from sweepmesh.app.shapes import brep_of
@@ -12,35 +12,49 @@ ELEMENTS = ("hex", "prism", "polyhedron")
 ORDERS = ("1st", "2nd")
 VERDICTS = ("unknown", "sweepable", "unsweepable")
 
-READ_ONLY, HIDDEN = 1, 2
-
 TABLE = (
-    Property("App::PropertyLink", "Shape", "Geometry", "The object whose solid is meshed"),
-    Property("App::PropertyLinkSub", "Sources", "Geometry", "Faces that the mesh is swept from; empty: found"),
-    Property("App::PropertyLinkSub", "Targets", "Geometry", "Faces that the sweep ends on; empty: found"),
-    Property("App::PropertyStringList", "Pairs", "Geometry", "Which source is swept to which target: Face5=Face6"),
-    Property("App::PropertyLength", "Size", "Mesh", "Wished edge length; 0: chosen from the volume"),
-    Property("App::PropertyIntegerConstraint", "Layers", "Mesh", "Number of layers; 0: from the size", (0, 0, 100000, 1)),
-    Property("App::PropertyEnumeration", "Element", "Mesh", "What the mesh is made of", "hex", ELEMENTS),
-    Property("App::PropertyEnumeration", "Order", "Mesh", "Order of the elements", "1st", ORDERS),
-    Property("App::PropertyIntegerConstraint", "MaxElements", "Mesh", "Larger meshes are refused; 0: the default limit",
-             (0, 0, 2147483647, 100000)),
-    Property("App::PropertyEnumeration", "Verdict", "Report", "Can the solid be swept?", "unknown", VERDICTS, READ_ONLY),
-    Property("App::PropertyString", "Message", "Report", "Why the last run made no mesh; empty: it made one", "", (), READ_ONLY),
-    Property("App::PropertyStringList", "Reasons", "Report", "Why the solid cannot be swept", None, (), READ_ONLY),
-    Property("App::PropertyMap", "Roles", "Report", "What each face is: source, target or linking", None, (), READ_ONLY),
-    Property("App::PropertyInteger", "Nodes", "Report", "Number of nodes", None, (), READ_ONLY),
-    Property("App::PropertyInteger", "Hexahedra", "Report", "Number of hexahedra", None, (), READ_ONLY),
-    Property("App::PropertyInteger", "Prisms", "Report", "Number of prisms", None, (), READ_ONLY),
-    Property("App::PropertyLength", "UsedSize", "Report", "The edge length that was used", None, (), READ_ONLY),
-    Property("App::PropertyFloat", "MinScaledJacobian", "Report", "Quality of the worst element: 1 is a cube", None, (), READ_ONLY),
-    Property("App::PropertyFloat", "MeanScaledJacobian", "Report", "Mean quality of the elements", None, (), READ_ONLY),
-    Property("App::PropertyInteger", "Inverted", "Report", "Number of inverted elements", None, (), READ_ONLY),
-    Property("App::PropertyIntegerList", "Histogram", "Report", "Number of elements in each class of quality", None, (), READ_ONLY),
-    Property("App::PropertyStringList", "Warnings", "Report", "What the last run warned of", None, (), READ_ONLY),
-    Property("App::PropertyString", "Fingerprint", "Report", "Of the shape and settings that the mesh was made from", "", (), HIDDEN),
-    Property("App::PropertyLink", "Part", "Geometry", "The shape, under the name that older versions of FreeCAD look for",
-             None, (), HIDDEN),
+    *in_group(
+        "Geometry",
+        EDITABLE,
+        Property("App::PropertyLink", "Shape", "The object whose solid is meshed"),
+        Property("App::PropertyLinkSub", "Sources", "Faces that the mesh is swept from; empty: found"),
+        Property("App::PropertyLinkSub", "Targets", "Faces that the sweep ends on; empty: found"),
+        Property("App::PropertyStringList", "Pairs", "Which source is swept to which target: Face5=Face6"),
+        Property("App::PropertyLink", "Part", "The shape, under the name that older FreeCADs look for", mode=HIDDEN),
+    ),
+    *in_group(
+        "Mesh",
+        EDITABLE,
+        Property("App::PropertyLength", "Size", "Wished edge length; 0: chosen from the volume"),
+        Property("App::PropertyIntegerConstraint", "Layers", "Number of layers; 0: from the size", (0, 0, 100000, 1)),
+        Property("App::PropertyEnumeration", "Element", "What the mesh is made of", "hex", ELEMENTS),
+        Property("App::PropertyEnumeration", "Order", "Order of the elements", "1st", ORDERS),
+        Property(
+            "App::PropertyIntegerConstraint",
+            "MaxElements",
+            "Larger meshes are refused; 0: the default limit",
+            (0, 0, 2**31 - 1, 100000),
+        ),
+    ),
+    *in_group(
+        "Report",
+        READ_ONLY,
+        Property("App::PropertyEnumeration", "Verdict", "Can the solid be swept?", "unknown", VERDICTS),
+        Property("App::PropertyString", "Message", "Why the last run made no mesh; empty: it made one"),
+        Property("App::PropertyStringList", "Reasons", "Why the solid cannot be swept"),
+        Property("App::PropertyMap", "Roles", "What each face is: source, target or linking"),
+        Property("App::PropertyInteger", "Nodes", "Number of nodes"),
+        Property("App::PropertyInteger", "Hexahedra", "Number of hexahedra"),
+        Property("App::PropertyInteger", "Prisms", "Number of prisms"),
+        Property("App::PropertyLength", "UsedSize", "The edge length that was used"),
+        Property("App::PropertyFloat", "MinScaledJacobian", "Quality of the worst element: 1 is a cube"),
+        Property("App::PropertyFloat", "MeanScaledJacobian", "Mean quality of the elements"),
+        Property("App::PropertyInteger", "Inverted", "Number of inverted elements"),
+        Property("App::PropertyIntegerList", "Histogram", "Elements in each of 20 classes of quality, from -1 to 1"),
+        Property("App::PropertyFloatList", "ScaledJacobians", "Quality of each element by its id", mode=HIDDEN),
+        Property("App::PropertyStringList", "Warnings", "What the last run warned of"),
+        Property("App::PropertyString", "Fingerprint", "Of the shape and settings of the mesh", mode=HIDDEN),
+    ),
 )
 
 
@@ -138,6 +152,7 @@ def store_report(obj, result):
     obj.Nodes, obj.Hexahedra, obj.Prisms = len(result.points), len(result.hexahedra), len(result.prisms)
     obj.UsedSize = result.size
     _store_quality(obj, result.quality)
+    obj.ScaledJacobians = result.scaled_jacobians.tolist()
     obj.Warnings = list(result.warnings)
 
 

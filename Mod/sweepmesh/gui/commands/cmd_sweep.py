@@ -17,7 +17,8 @@ class CreateMesh:
             "MenuText": QT_TRANSLATE_NOOP("SweepMesh_CreateMesh", "Create sweep mesh"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "SweepMesh_CreateMesh",
-                "Mesh the selected solid with swept hexahedra. Selected faces become sources, the last of several the target.",
+                "Mesh the selected solid with swept hexahedra. Selected faces become sources,"
+                " the last of several the target.",
             ),
             "Accel": "S, M",
         }

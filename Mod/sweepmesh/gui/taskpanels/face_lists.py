@@ -71,7 +71,8 @@ class FaceLists(QtCore.QObject):
     def addSelection(self, document, obj, sub, point):
         """FreeCAD calls this when something was selected in the 3D view or in the tree."""
         self._tell_selected()
-        if self._is_selecting or (document, obj) != (self._obj.Document.Name, self._obj.Name) or not sub.startswith("Face"):
+        is_own = (document, obj) == (self._obj.Document.Name, self._obj.Name)
+        if self._is_selecting or not is_own or not sub.startswith("Face"):
             return
         role = self._picking_role()
         if role:

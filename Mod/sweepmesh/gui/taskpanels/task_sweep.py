@@ -4,7 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from sweepmesh import engine
-from sweepmesh.app.objects.sweep import ORDERS, options_of
+from sweepmesh.app.objects.sweep import options_of
 from sweepmesh.app.remembered import remember
 from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
@@ -25,7 +25,7 @@ class SweepPanel:
     """
 
     def __init__(self, shape, faces=(), mesh=None):
-        self._shape, self._mesh = shape, mesh
+        self._shape, self._mesh, self._document_name = shape, mesh, shape.Document.Name
         self._schemes = []
         self.form = load_form("Sweep")
         self.form.setWindowTitle(tr("Sweep mesh"))
@@ -192,7 +192,8 @@ class SweepPanel:
         """What OK does, as recorded Python."""
         settings = self.settings()
         if self._mesh:
-            arguments = [recorder.reference(self._mesh), *recorder.arguments(_changes(options_of(self._mesh), settings))]
+            changed = recorder.arguments(_changes(options_of(self._mesh), settings))
+            arguments = [recorder.reference(self._mesh), *changed]
             return tr("Edit sweep mesh"), [f"sweepmesh.app.update_sweep_mesh({', '.join(arguments)})"]
         shape = recorder.reference(self._shape)
         arguments = [shape, *recorder.arguments(_changes(engine.Options(), settings))]
@@ -205,27 +206,30 @@ class SweepPanel:
     # --- the end --------------------------------------------------------------------------------------
 
     def _close(self):
-        """Stop all work and take everything out of the view; the document may be gone already."""
+        """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
         FreeCAD.removeDocumentObserver(self)
         self._assessor.close()
         self._mesher.close(wait=STOP_SECONDS)
         self._faces.close()
         self._overlay.remove()
-        document = FreeCADGui.activeDocument()
-        if document and document.getInEdit():
-            document.resetEdit()
-        else:
-            QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
+        QtCore.QTimer.singleShot(0, _leave_edit_and_close)
 
     def slotDeletedDocument(self, document):
         """FreeCAD calls this when a document is about to be closed."""
-        if document == self._shape.Document:
+        if document.Name == self._document_name:
             self._close()
 
     def slotDeletedObject(self, obj):
         """FreeCAD calls this when an object is about to be deleted."""
         if obj in (self._shape, self._mesh):
             self._close()
+
+
+def _leave_edit_and_close():
+    document = FreeCADGui.activeDocument()
+    if document and document.getInEdit():
+        document.resetEdit()
+    FreeCADGui.Control.closeDialog()
 
 
 def _names(numbers):

@@ -1,0 +1,415 @@
+#include "sweepmesh/imprint/overlay.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "sweepmesh/imprint/forest.h"
+#include "sweepmesh/imprint/pieces.h"
+
+namespace sweepmesh {
+namespace {
+
+using Place = Occupancy::Place;
+
+class Overlayer {
+ public:
+  Overlayer(const Model& model, const Scheme& scheme, const Walls& walls,
+            const Reference& reference, double merge_distance, const Context& context)
+      : model_(model),
+        scheme_(scheme),
+        walls_(walls),
+        reference_(reference),
+        occupancy_(walls, reference),
+        near_(merge_distance),
+        context_(context) {}
+
+  Overlay run() {
+    make_nodes();
+    make_pieces();
+    const std::size_t most = 100 + 10 * graph_.pieces.size();  // a guard: a few rounds are usual
+    for (std::size_t round = 0; round < most; ++round) {
+      context_.check("imprint");
+      while (snap_nodes()) merge_pieces();
+      merge_pieces();
+      if (cut_stretches()) continue;
+      if (!cut_crossings()) return result();
+    }
+    throw SolverError("imprint", "Bringing near curves together did not come to an end.");
+  }
+
+ private:
+  // --- nodes -------------------------------------------------------------------------------------
+
+  /// CAD vertices joined by axial edges are a column; columns that lie near each other and do not
+  /// collide are a node.
+  void make_nodes() {
+    Forest columns(model_.n_vertices());
+    for (const EdgeId e : model_.edges())
+      if (scheme_.edge_role[e.index] == EdgeRole::axial)
+        columns.join(model_.start(e).index, model_.end(e).index);
+    std::map<int, std::vector<VertexId>> vertices;  // by root
+    for (const VertexId v : model_.vertices()) vertices[columns.root(v.index)].push_back(v);
+    for (const auto& [root, list] : vertices) {
+      std::vector<Place> ends;
+      for (const VertexId v : list)
+        for (const Place& p : places_at(v)) ends.push_back(p);
+      if (!ends.empty()) columns_.push_back({list, occupancy_.column(list, ends)});
+    }
+    Forest nodes(static_cast<int>(columns_.size()));
+    join_near(nodes);
+    std::vector<int> node(columns_.size(), -1);
+    node_of_.assign(model_.n_vertices(), -1);
+    for (int c = 0; c < static_cast<int>(columns_.size()); ++c) {
+      int& n = node[nodes.root(c)];
+      if (n < 0) n = add_node(place_of(c));
+      node[c] = n;
+      columns_in_[n].push_back(c);
+      auto& cad = graph_.nodes[n].cad;
+      for (const VertexId v : columns_[c].vertices) {
+        node_of_[v.index] = n;
+        cad.insert(std::upper_bound(cad.begin(), cad.end(), v), v);
+      }
+    }
+  }
+
+  const Point2& place_of(int column) const {
+    return reference_.vertex[columns_[column].vertices.front().index];
+  }
+
+  void join_near(Forest& nodes) const {
+    std::vector<std::tuple<double, int, int>> pairs;
+    const int n = static_cast<int>(columns_.size());
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        if (const double d = (place_of(a) - place_of(b)).norm(); d < near_)
+          pairs.emplace_back(d, a, b);
+    std::sort(pairs.begin(), pairs.end());
+    for (const auto& [d, a, b] : pairs)
+      if (may_join(nodes, nodes.root(a), nodes.root(b))) nodes.join(a, b);
+  }
+
+  bool may_join(const Forest& nodes, int a, int b) const {
+    if (a == b || (place_of(a) - place_of(b)).norm() > near_) return false;
+    const int n = static_cast<int>(columns_.size());
+    for (int p = 0; p < n; ++p)
+      for (int q = 0; q < n; ++q)
+        if (nodes.root(p) == a && nodes.root(q) == b &&
+            occupancy_.collide(columns_[p].column, columns_[q].column))
+          return false;
+    return true;
+  }
+
+  /// The edges that end in a vertex, each a little way along it.
+  std::vector<Place> places_at(VertexId v) const {
+    std::vector<Place> out;
+    for (const ReferenceCurve& c : reference_.curves) {
+      if (model_.start(c.edge) == v) out.push_back({c.edge, beside(c.points, true)});
+      if (model_.end(c.edge) == v) out.push_back({c.edge, beside(c.points, false)});
+    }
+    return out;
+  }
+
+  static Point2 beside(const Polyline& line, bool at_start) {
+    constexpr double little = 0.1;
+    return at_arc(line, length(line) * (at_start ? little : 1.0 - little)).point;
+  }
+
+  bool collide(const std::vector<Place>& a, const std::vector<Place>& b) const {
+    for (const Place& p : a)
+      for (const Place& q : b)
+        if (occupancy_.collide(p, q)) return true;
+    return false;
+  }
+
+  bool collide_at_node(int node, const std::vector<Place>& there) const {
+    if (const auto found = columns_in_.find(node); found != columns_in_.end())
+      for (const int c : found->second)
+        for (const Place& p : there)
+          if (occupancy_.collide(columns_[c].column, p)) return true;
+    return collide(places_through(node), there);
+  }
+
+  // --- pieces ------------------------------------------------------------------------------------
+
+  void make_pieces() {
+    for (const ReferenceCurve& c : reference_.curves) {
+      const int a = node_of_[model_.start(c.edge).index], b = node_of_[model_.end(c.edge).index];
+      const Polyline points =
+          with_ends(c.points, graph_.nodes[a].point, graph_.nodes[b].point);
+      graph_.pieces.push_back({a, b, points, {{c.edge, c.points, c.t}}});
+    }
+  }
+
+  int n_pieces() const { return static_cast<int>(graph_.pieces.size()); }
+
+  std::vector<Place> places_on(int piece, double fraction) const {
+    std::vector<Place> out;
+    for (const PieceTrace& t : graph_.pieces[piece].traces)
+      out.push_back({t.edge, at_arc(t.line, fraction * length(t.line)).point});
+    return out;
+  }
+
+  /// Edges that pass through a node without a CAD vertex of theirs.
+  std::vector<Place> places_through(int node) const {
+    std::vector<Place> out;
+    const auto add = [&](const PieceTrace& t, bool at_start) {
+      if (node_of_[model_.start(t.edge).index] != node && node_of_[model_.end(t.edge).index] != node)
+        out.push_back({t.edge, beside(t.line, at_start)});
+    };
+    for (int p = 0; p < n_pieces(); ++p)
+      for (const PieceTrace& t : graph_.pieces[p].traces) {
+        if (graph_.pieces[p].start == node) add(t, true);
+        if (graph_.pieces[p].end == node) add(t, false);
+      }
+    return out;
+  }
+
+  // --- bringing together -------------------------------------------------------------------------
+
+  /// Puts every node on the near pieces that it does not collide with. True if there were any.
+  bool snap_nodes() {
+    struct Snap {
+      double distance;
+      int node, piece;
+      double arc;
+      bool operator<(const Snap& o) const {
+        return std::tie(distance, node, piece) < std::tie(o.distance, o.node, o.piece);
+      }
+    };
+    std::vector<Snap> snaps;
+    for (int p = 0; p < n_pieces(); ++p) {
+      if (!graph_.is_alive(p)) continue;
+      const Polyline& line = graph_.pieces[p].points;
+      const Box2 box = box_of(line);
+      for (int n = 0; n < static_cast<int>(graph_.nodes.size()); ++n) {
+        const Point2& at = graph_.nodes[n].point;
+        if (graph_.has_end(p, n) || !box.is_near({at, at}, near_)) continue;
+        const PolylinePoint foot = nearest(line, at);
+        if (foot.distance < near_ && is_inside(line, foot.arc))
+          snaps.push_back({foot.distance, n, p, foot.arc});
+      }
+    }
+    std::sort(snaps.begin(), snaps.end());
+    std::vector<char> is_cut(graph_.pieces.size(), false);
+    bool any = false;
+    for (const Snap& s : snaps) {
+      if (is_cut[s.piece]) continue;
+      const double fraction = s.arc / length(graph_.pieces[s.piece].points);
+      if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
+      split(graph_, s.piece, s.arc, s.node);
+      is_cut[s.piece] = any = true;
+    }
+    return any;
+  }
+
+  bool is_inside(const Polyline& line, double arc) const {
+    const double least = reference_.coincidence;
+    return arc > least && arc < length(line) - least;
+  }
+
+  /// Pieces between the same nodes that run near each other become one.
+  void merge_pieces() {
+    std::map<std::pair<int, int>, std::vector<int>> between;
+    for (int p = 0; p < n_pieces(); ++p)
+      if (graph_.is_alive(p)) {
+        const Piece& piece = graph_.pieces[p];
+        between[std::minmax(piece.start, piece.end)].push_back(p);
+      }
+    for (const auto& [ends, pieces] : between)
+      for (std::size_t i = 0; i < pieces.size(); ++i)
+        for (std::size_t j = i + 1; j < pieces.size(); ++j)
+          if (graph_.is_alive(pieces[i]) && graph_.is_alive(pieces[j])) {
+            const bool is_first = is_shape_kept(pieces[i], pieces[j]);
+            merge(pieces[is_first ? i : j], pieces[is_first ? j : i]);
+          }
+  }
+
+  /// Of two curves that come together the straighter one stays where it is.
+  bool is_shape_kept(int piece, int other) const {
+    const std::size_t n = graph_.pieces[piece].points.size();
+    const std::size_t m = graph_.pieces[other].points.size();
+    return std::tie(n, piece) < std::tie(m, other);
+  }
+
+  void merge(int a, int b) {
+    const Piece &kept = graph_.pieces[a], &gone = graph_.pieces[b];
+    const Polyline &own = kept.traces[0].line, &other = gone.traces[0].line;
+    if (!are_within(kept.points, gone.points, near_) && !are_within(own, other, near_)) return;
+    constexpr double middle = 0.5;
+    if (collide(places_on(a, middle), places_on(b, middle))) return;
+    for (const PieceTrace& t : gone.traces) {
+      double farthest = 0.0;
+      for (const Point2& p : t.line) farthest = std::max(farthest, nearest(own, p).distance);
+      if (farthest > reference_.coincidence)
+        merges_.push_back({kept.traces[0].edge, t.edge, farthest});
+    }
+    absorb(graph_, a, b);
+  }
+
+  /// Cuts two pieces where a stretch along which they run near each other begins or ends. True if
+  /// any was cut.
+  bool cut_stretches() {
+    bool any = false;
+    const int n = n_pieces();
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b)
+        if (a != b && graph_.is_alive(a) && graph_.is_alive(b)) any |= cut_stretch(a, b);
+    return any;
+  }
+
+  bool cut_stretch(int a, int b) {
+    // The curves as they are in the CAD model: what has been moved together would always be near.
+    const Polyline &line = graph_.pieces[a].traces[0].line, &other = graph_.pieces[b].traces[0].line;
+    if (!box_of(line).is_near(box_of(other), near_)) return false;
+    for (const Stretch& s : near_stretches(line, other, near_)) {
+      const double total = length(line);
+      const bool starts = s.first <= 0.0, ends = s.last >= total;
+      const bool is_start_shared = starts && graph_.has_end(b, graph_.pieces[a].start);
+      const bool is_end_shared = ends && graph_.has_end(b, graph_.pieces[a].end);
+      if ((starts && !is_start_shared) || (ends && !is_end_shared) || (starts && ends)) continue;
+      // About the length over which curves that cross (or part) at 30 degrees are near.
+      const double least = (starts || ends ? 2.0 : 4.0) * near_;
+      if (s.last - s.first < least) continue;
+      if (cut_both(a, b, starts ? s.last : s.first, (s.first + s.last) / 2)) return true;
+    }
+    return false;
+  }
+
+  /// Puts a node on both pieces at `arc` of a's own line, unless they collide at arc `middle`.
+  bool cut_both(int a, int b, double arc, double middle) {
+    const Polyline &line = graph_.pieces[a].traces[0].line, &other = graph_.pieces[b].traces[0].line;
+    const double fraction_a = arc / length(line);
+    const PolylinePoint foot = nearest(other, at_arc(line, arc).point);
+    const double fraction_b = foot.arc / length(other);
+    const double arc_a = fraction_a * length(graph_.pieces[a].points);
+    const double arc_b = fraction_b * length(graph_.pieces[b].points);
+    if (!is_inside(graph_.pieces[a].points, arc_a) || !is_inside(graph_.pieces[b].points, arc_b))
+      return false;
+    const double middle_b = nearest(other, at_arc(line, middle).point).arc / length(other);
+    if (collide(places_on(a, middle / length(line)), places_on(b, middle_b))) return false;
+    const int node = add_node(is_shape_kept(a, b) ? at_arc(graph_.pieces[a].points, arc_a).point
+                                                  : at_arc(graph_.pieces[b].points, arc_b).point);
+    split(graph_, a, arc_a, node);
+    split(graph_, b, arc_b, node);
+    return true;
+  }
+
+  int add_node(const Point2& p) {
+    graph_.nodes.push_back({p, {}});
+    return static_cast<int>(graph_.nodes.size()) - 1;
+  }
+
+  // --- crossings ---------------------------------------------------------------------------------
+
+  /// Arranges all pieces and cuts them where the arrangement says that they meet between their
+  /// ends. True if any was cut.
+  bool cut_crossings() {
+    std::vector<Polyline> lines;
+    alive_.clear();
+    for (int p = 0; p < n_pieces(); ++p)
+      if (graph_.is_alive(p)) {
+        alive_.push_back(p);
+        lines.push_back(graph_.pieces[p].points);
+      }
+    arrangement_ = arrange(lines);
+    find_nodes_of_vertices();
+    std::map<int, std::map<double, int, std::greater<>>> cuts;  // piece -> position -> node
+    for (const auto& edge : arrangement_.edges)
+      for (const auto& use : edge.uses) {
+        const auto add = [&](double position, int vertex) {
+          const int p = alive_[use.polyline], node = node_of_vertex_[vertex];
+          if (!graph_.has_end(p, node)) cuts[p].emplace(position, node);
+        };
+        add(use.first, edge.start);
+        add(use.last, edge.end);
+      }
+    for (const auto& [p, places] : cuts)
+      for (const auto& [position, node] : places)
+        split(graph_, p, at_position(graph_.pieces[p].points, position).arc, node);
+    return !cuts.empty();
+  }
+
+  void find_nodes_of_vertices() {
+    std::map<std::pair<double, double>, int> at;
+    for (const int p : alive_)
+      for (const int n : {graph_.pieces[p].start, graph_.pieces[p].end}) {
+        const Point2& point = graph_.nodes[n].point;
+        const auto [place, is_new] = at.try_emplace({point.x(), point.y()}, n);
+        if (!is_new && place->second != n) throw_on_one_point(place->second, n);
+      }
+    node_of_vertex_.clear();
+    for (const Point2& v : arrangement_.vertices) {
+      const auto found = at.find({v.x(), v.y()});
+      node_of_vertex_.push_back(found == at.end() ? add_node(v) : found->second);
+    }
+  }
+
+  [[noreturn]] void throw_on_one_point(int a, int b) const {
+    std::vector<std::string> names;
+    for (const int n : {a, b})
+      for (const VertexId v : graph_.nodes[n].cad) names.push_back(name_of(v));
+    throw ImprintError(ImprintFailure::collision,
+                       "Vertices of the same levels lie over each other along the sweep.", names);
+  }
+
+  Overlay result() {
+    Overlay out;
+    for (const int n : node_of_vertex_) out.cad.push_back(graph_.nodes[n].cad);
+    for (const auto& edge : arrangement_.edges) {
+      if (edge.uses.size() > 1) throw_on_one_curve(edge.uses[0].polyline, edge.uses[1].polyline);
+      const auto& use = edge.uses.front();
+      std::vector<Trace> traces;
+      for (const PieceTrace& t : graph_.pieces[alive_[use.polyline]].traces) {
+        const bool is_along = use.first < use.last;
+        traces.push_back({t.edge, walls_.level[t.edge.index], is_along ? t.t.front() : t.t.back(),
+                          is_along ? t.t.back() : t.t.front()});
+      }
+      std::sort(traces.begin(), traces.end(), [](const Trace& a, const Trace& b) {
+        return std::tie(a.level, a.edge) < std::tie(b.level, b.edge);
+      });
+      out.traces.push_back(std::move(traces));
+    }
+    out.arrangement = std::move(arrangement_);
+    out.merges = std::move(merges_);
+    return out;
+  }
+
+  [[noreturn]] void throw_on_one_curve(int a, int b) const {
+    const EdgeId first = graph_.pieces[alive_[a]].traces[0].edge;
+    const EdgeId second = graph_.pieces[alive_[b]].traces[0].edge;
+    throw ImprintError(ImprintFailure::collision,
+                       name_of(first) + " and " + name_of(second) +
+                           " lie over each other along the sweep, in the same levels.",
+                       {name_of(first), name_of(second)});
+  }
+
+  const Model& model_;
+  const Scheme& scheme_;
+  const Walls& walls_;
+  const Reference& reference_;
+  const Occupancy occupancy_;
+  const double near_;
+  const Context& context_;
+  PieceGraph graph_;
+  struct CadColumn {
+    std::vector<VertexId> vertices;
+    Occupancy::Column column;
+  };
+  std::vector<CadColumn> columns_;
+  std::map<int, std::vector<int>> columns_in_;  ///< by node
+  std::vector<int> node_of_;                    ///< by VertexId; -1 where no curve ends in its column
+  std::vector<Merge> merges_;
+  std::vector<int> alive_;  ///< pieces of the last arrangement's polylines
+  PlaneArrangement arrangement_;
+  std::vector<int> node_of_vertex_;
+};
+
+}  // namespace
+
+Overlay overlay(const Model& model, const Scheme& scheme, const Walls& walls,
+                const Reference& reference, double merge_distance, const Context& context) {
+  return Overlayer(model, scheme, walls, reference, merge_distance, context).run();
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,95 @@
+#include "sweepmesh/imprint/pieces.h"
+
+#include <algorithm>
+
+namespace sweepmesh {
+namespace {
+
+PieceTrace reversed(PieceTrace trace) {
+  std::reverse(trace.line.begin(), trace.line.end());
+  std::reverse(trace.t.begin(), trace.t.end());
+  return trace;
+}
+
+/// Whether a closed piece runs the same way round as another that lies over it.
+bool runs_along(const Polyline& line, const Polyline& other) {
+  const double quarter = length(other) / 4;
+  const PolylinePoint foot = nearest(line, at_arc(other, quarter).point);
+  return foot.arc < length(line) / 2;
+}
+
+}  // namespace
+
+std::pair<PieceTrace, PieceTrace> cut(const PieceTrace& trace, double fraction) {
+  const PolylinePoint p = at_arc(trace.line, fraction * length(trace.line));
+  const std::size_t i = static_cast<std::size_t>(p.position);
+  const std::size_t j = std::min(i, trace.line.size() - 2);
+  const double t = trace.t[j] + (p.position - j) * (trace.t[j + 1] - trace.t[j]);
+  PieceTrace first{trace.edge, {}, {}}, second{trace.edge, {p.point}, {t}};
+  for (std::size_t n = 0; n < trace.line.size(); ++n) {
+    PieceTrace& side = static_cast<double>(n) < p.position ? first : second;
+    if (static_cast<double>(n) == p.position) continue;
+    side.line.push_back(trace.line[n]);
+    side.t.push_back(trace.t[n]);
+  }
+  first.line.push_back(p.point);
+  first.t.push_back(t);
+  return {std::move(first), std::move(second)};
+}
+
+int split(PieceGraph& graph, int piece, double arc, int node) {
+  const Piece whole = std::move(graph.pieces[piece]);
+  const PolylinePoint p = at_arc(whole.points, arc);
+  const double last = static_cast<double>(whole.points.size() - 1);
+  const Point2& place = graph.nodes[node].point;
+  Piece first{whole.start, node, {}, {}}, second{node, whole.end, {}, {}};
+  first.points = with_ends(part(whole.points, 0.0, p.position), whole.points.front(), place);
+  second.points = with_ends(part(whole.points, p.position, last), place, whole.points.back());
+  const double fraction = p.arc / length(whole.points);
+  for (const PieceTrace& trace : whole.traces) {
+    auto [a, b] = cut(trace, fraction);
+    first.traces.push_back(std::move(a));
+    second.traces.push_back(std::move(b));
+  }
+  graph.pieces[piece] = std::move(first);
+  graph.pieces.push_back(std::move(second));
+  return static_cast<int>(graph.pieces.size()) - 1;
+}
+
+void absorb(PieceGraph& graph, int kept, int gone) {
+  Piece& a = graph.pieces[kept];
+  Piece& b = graph.pieces[gone];
+  const bool is_along =
+      a.start != a.end ? a.start == b.start : runs_along(a.points, b.points);
+  for (PieceTrace& trace : b.traces)
+    a.traces.push_back(is_along ? std::move(trace) : reversed(std::move(trace)));
+  b.traces.clear();
+}
+
+bool are_within(const Polyline& a, const Polyline& b, double distance) {
+  constexpr int n_parts = 16;
+  const auto is_one_way = [&](const Polyline& from, const Polyline& to) {
+    for (const PolylinePoint& p : resampled(from, length(from) / n_parts))
+      if (nearest(to, p.point).distance > distance) return false;
+    return true;
+  };
+  return is_one_way(a, b) && is_one_way(b, a);
+}
+
+std::vector<Stretch> near_stretches(const Polyline& a, const Polyline& b, double distance) {
+  std::vector<Stretch> out;
+  const double total = length(a), least_step = distance / 4;
+  bool is_inside = false;
+  for (double arc = 0.0;;) {
+    // The distance changes by no more than the arc, so what it is ahead of the limit can be skipped.
+    const double d = nearest(b, at_arc(a, arc).point).distance;
+    const bool is_near = d < distance;
+    if (is_near && !is_inside) out.push_back({arc, arc});
+    if (is_near) out.back().last = arc;
+    is_inside = is_near;
+    if (arc >= total) return out;
+    arc = std::min(total, arc + std::max(least_step, std::abs(d - distance)));
+  }
+}
+
+}  // namespace sweepmesh

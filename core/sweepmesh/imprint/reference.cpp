@@ -1,0 +1,154 @@
+#include "sweepmesh/imprint/reference.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sweepmesh {
+namespace {
+
+/// Coordinates across a direction.
+class Projection {
+ public:
+  explicit Projection(const Point3& direction) {
+    int least = 0;
+    direction.cwiseAbs().minCoeff(&least);
+    const Point3 x = direction.cross(Point3::Unit(least)).normalized();
+    axes_.row(0) = x;
+    axes_.row(1) = direction.cross(x);
+  }
+  Point2 operator()(const Point3& p) const { return axes_ * p; }
+
+ private:
+  Eigen::Matrix<double, 2, 3> axes_;
+};
+
+/// Halves the edge's parameter range until chords are nearer than `sag` to the curve.
+class Sampler {
+ public:
+  Sampler(const Model& model, EdgeId e, const Projection& project, double sag)
+      : model_(model), edge_(e), project_(project), sag_(sag) {}
+
+  ReferenceCurve sample() {
+    constexpr int n_parts = 3;  // no symmetry of a curve can hide its bulge from all of them
+    const auto [first, last] = model_.range(edge_);
+    out_.edge = edge_;
+    add(first, at(first));
+    for (int i = 0; i < n_parts; ++i) {
+      const double a = first + (last - first) * i / n_parts;
+      const double b = first + (last - first) * (i + 1) / n_parts;
+      refine(a, at(a), b, at(b), 0);
+    }
+    if (model_.start(edge_) == model_.end(edge_)) out_.points.back() = out_.points.front();
+    if (is_straight()) {
+      out_.points = {out_.points.front(), out_.points.back()};
+      out_.t = {out_.t.front(), out_.t.back()};
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr int deepest_ = 12;
+
+  Point2 at(double t) const { return project_(model_.point(edge_, t)); }
+
+  void add(double t, const Point2& p) {
+    out_.t.push_back(t);
+    out_.points.push_back(p);
+  }
+
+  void refine(double a, const Point2& pa, double b, const Point2& pb, int depth) {
+    const double m = (a + b) / 2;
+    const Point2 pm = at(m);
+    double off = 0.0;
+    for (const Point2& p : {at(a + 0.3 * (b - a)), pm, at(a + 0.8 * (b - a))})
+      off = std::max(off, nearest({pa, pb}, p).distance);
+    if (off <= sag_ || depth == deepest_) return add(b, pb);
+    refine(a, pa, m, pm, depth + 1);
+    refine(m, pm, b, pb, depth + 1);
+  }
+
+  /// At even speed too: parameters must follow from places on the line.
+  bool is_straight() const {
+    if (out_.points.front() == out_.points.back()) return false;
+    const Polyline chord = {out_.points.front(), out_.points.back()};
+    const double length = (chord[1] - chord[0]).norm();
+    for (std::size_t i = 0; i < out_.points.size(); ++i) {
+      const PolylinePoint foot = nearest(chord, out_.points[i]);
+      const double f = (out_.t[i] - out_.t.front()) / (out_.t.back() - out_.t.front());
+      if (foot.distance > sag_ || std::abs(foot.arc - f * length) > sag_) return false;
+    }
+    return true;
+  }
+
+  const Model& model_;
+  EdgeId edge_;
+  const Projection& project_;
+  double sag_;
+  ReferenceCurve out_;
+};
+
+/// Whether each of `edges` lies over the edges `others`, at its ends and between.
+bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& others,
+              const std::vector<const ReferenceCurve*>& curve, double tolerance) {
+  constexpr std::array fractions = {0.0, 0.21, 0.5, 0.83, 1.0};
+  for (const EdgeId e : edges) {
+    const Polyline& line = curve[e.index]->points;
+    for (const double f : fractions) {
+      const Point2 p = at_arc(line, f * length(line)).point;
+      const bool is_over = std::any_of(others.begin(), others.end(), [&](EdgeId o) {
+        return nearest(curve[o.index]->points, p).distance <= tolerance;
+      });
+      if (!is_over) return false;
+    }
+  }
+  return true;
+}
+
+bool are_walls_upright(const Walls& walls, const Reference& reference) {
+  std::vector<const ReferenceCurve*> curve(walls.level.size(), nullptr);
+  for (const ReferenceCurve& c : reference.curves) curve[c.edge.index] = &c;
+  for (std::size_t f = 0; f < walls.tops.size(); ++f)
+    if (!lie_over(walls.bottoms[f], walls.tops[f], curve, reference.coincidence) ||
+        !lie_over(walls.tops[f], walls.bottoms[f], curve, reference.coincidence))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<Point3> common_direction(const Model& model, const Scheme& scheme,
+                                       const std::vector<int>& level, double tolerance) {
+  std::vector<Point3> chords;
+  Point3 sum = Point3::Zero();
+  for (const EdgeId e : model.edges()) {
+    if (scheme.edge_role[e.index] != EdgeRole::axial) continue;
+    const VertexId a = model.start(e), b = model.end(e);
+    const Point3 chord = model.point(b) - model.point(a);
+    chords.push_back(level[b.index] >= level[a.index] ? chord : Point3(-chord));
+    sum += chords.back();
+  }
+  if (sum.norm() <= tolerance) return std::nullopt;
+  const Point3 d = sum.normalized();
+  for (const Point3& c : chords)
+    if ((c - c.dot(d) * d).norm() > tolerance || c.dot(d) <= 0.0) return std::nullopt;
+  return d;
+}
+
+std::optional<Reference> projected_reference(const Model& model, const Walls& walls,
+                                             const Point3& direction, double coincidence,
+                                             const Context& context) {
+  const Projection project(direction);
+  Reference reference;
+  reference.coincidence = coincidence;
+  for (const EdgeId e : walls.edges) {
+    context.check("imprint");
+    reference.curves.push_back(Sampler(model, e, project, coincidence / 4).sample());
+  }
+  for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
+  for (const VertexId v : model.vertices()) reference.vertex[v.index] = project(model.point(v));
+  if (!are_walls_upright(walls, reference)) return std::nullopt;
+  return reference;
+}
+
+}  // namespace sweepmesh

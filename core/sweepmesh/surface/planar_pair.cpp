@@ -1,0 +1,190 @@
+#include "sweepmesh/surface/planar_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+#include "sweepmesh/base/errors.h"
+#include "sweepmesh/surface/cap_map.h"
+#include "sweepmesh/surface/quad_cleanup.h"
+#include "sweepmesh/surface/worst_first.h"
+
+namespace sweepmesh {
+namespace {
+
+/// A pair whose worse end is this good is taken without looking at the shape between.
+constexpr double good_enough = 0.55;
+/// One that is worse is a reason to spend more cells.
+constexpr double poor = 0.2;
+/// Cells below this are raised at the cost of others.
+constexpr double worth_raising = 0.7;
+
+using Complex = std::complex<double>;
+
+/// p -> to + factor (p - from): rotation, scaling and move in complex form.
+struct Similarity {
+  Complex from, to, factor;
+  Complex operator()(Complex p) const { return to + factor * (p - from); }
+};
+
+Complex as_complex(const Point2& p) { return {p.x(), p.y()}; }
+Point2 as_point(Complex c) { return {c.real(), c.imag()}; }
+
+/// Least squares over the nodes of a loop.
+Similarity best_similarity(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+  Similarity s{};
+  const double n = static_cast<double>(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    s.from += as_complex(a[i]) / n;
+    s.to += as_complex(b[i]) / n;
+  }
+  Complex product = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Complex p = as_complex(a[i]) - s.from;
+    product += std::conj(p) * (as_complex(b[i]) - s.to);
+    square += std::norm(p);
+  }
+  s.factor = square > 0.0 ? product / square : 1.0;
+  return s;
+}
+
+std::vector<Point2> half_way_loop(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+  const Similarity whole = best_similarity(a, b);
+  const Complex half = std::sqrt(whole.factor), turn_back = std::polar(1.0, -0.5 * std::arg(whole.factor));
+  std::vector<Point2> out;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Complex left_over = as_complex(b[i]) - whole(as_complex(a[i]));
+    out.push_back(as_point(0.5 * (whole.from + whole.to) + half * (as_complex(a[i]) - whole.from) +
+                           0.5 * turn_back * left_over));
+  }
+  return out;
+}
+
+class PairMesher {
+ public:
+  PairMesher(const PlanarLoops& first, const PlanarLoops& second, const PlanarMeshOptions& options,
+             const Metric& second_metric, const Context& context)
+      : first_(first), second_(flattened(second)), options_(options), context_(context) {
+    onto_first_.target_metric = options.metric;
+    onto_second_.source_metric = options.metric;
+    onto_second_.target_metric = second_metric;
+    angles_.push_back(interior_angles(first));
+    angles_.push_back(interior_angles(second));
+  }
+
+  PlanarPair run(const PlanarLoops& second) {
+    const auto direct = candidate_meshes(first_, options_, angles_, context_);
+    for (const PlanarMesh& mesh : direct) offer([&] { return carried_on(mesh); });
+    if (is_best_at_least(good_enough)) return std::move(*best_);
+    const PlanarLoops between = half_way(first_, second);
+    if (is_domain(between)) {
+      PlanarMeshOptions flat = options_;
+      flat.metric = {};
+      for (const PlanarMesh& mesh : candidate_meshes(between, flat, angles_, context_))
+        offer([&] { return carried_both_ways(mesh); });
+    }
+    // A hole that is tied to another loop by single cells cannot move: give it a ring of its own.
+    for (const PlanarMesh& mesh : direct)
+      if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
+    if (!best_) throw *failure_;
+    return std::move(*best_);
+  }
+
+ private:
+  static double worse_end(const PlanarPair& p) {
+    return std::min(p.first_quality.min, p.second_quality.min);
+  }
+  static double score(const PlanarPair& p) {
+    return worse_end(p) + 0.25 * (p.first_quality.mean + p.second_quality.mean);
+  }
+
+  template <class Make>
+  void offer(const Make& make) {
+    try {
+      PlanarPair pair = make();
+      if (!best_ || score(pair) > score(*best_)) best_ = std::move(pair);
+    } catch (const InvalidMeshError& e) {
+      if (!failure_) failure_ = e;
+    }
+  }
+
+  bool is_best_at_least(double value) const { return best_ && worse_end(*best_) >= value; }
+
+  PlanarMesh ringed(const PlanarMesh& mesh) const {
+    const PlanarMesh more = smoothed(with_rings(mesh, first_, angles_), options_.metric, context_);
+    return smoothed(with_regular_valences(more, angles_), options_.metric, context_);
+  }
+
+  PlanarPair carried_on(PlanarMesh mesh) const {
+    PlanarPair pair;
+    mesh.points = with_worst_raised(mesh, mesh.points, worth_raising, options_.metric, context_);
+    pair.first_quality = quality(mesh.points, mesh, options_.metric);
+    pair.second = map_planar(mesh, second_, onto_second_, context_).points;
+    pair.first = std::move(mesh);
+    pair.second_quality = settle(pair.first, pair.second, onto_second_.target_metric);
+    return pair;
+  }
+
+  PlanarPair carried_both_ways(const PlanarMesh& between) const {
+    PlanarPair pair;
+    pair.first = between;
+    pair.first.points = map_planar(between, flattened(first_), onto_first_, context_).points;
+    MapOptions onto_second = onto_second_;
+    onto_second.source_metric = {};
+    pair.second = map_planar(between, second_, onto_second, context_).points;
+    std::vector<Point2> points = pair.first.points;
+    pair.first_quality = settle(pair.first, points, options_.metric);
+    pair.first.points = std::move(points);
+    pair.second_quality = settle(pair.first, pair.second, onto_second_.target_metric);
+    return pair;
+  }
+
+  /// Smooths one end towards regular cells where that is better, and raises the worst cells.
+  PlanarQuality settle(const PlanarMesh& cells, std::vector<Point2>& points, const Metric& metric) const {
+    const PlanarQuality before = quality(points, cells, metric);
+    PlanarMesh there = cells;
+    there.points = points;
+    there = smoothed(there, metric, context_);
+    const PlanarQuality after = quality(there.points, there, metric);
+    if (after.min + 0.5 * after.mean > before.min + 0.5 * before.mean) points = std::move(there.points);
+    points = with_worst_raised(cells, points, worth_raising, metric, context_);
+    return quality(points, cells, metric);
+  }
+
+  const PlanarLoops& first_;
+  std::vector<Point2> second_;
+  const PlanarMeshOptions& options_;
+  const Context& context_;
+  MapOptions onto_first_, onto_second_;
+  BoundaryAngles angles_;
+  std::optional<PlanarPair> best_;
+  std::optional<InvalidMeshError> failure_;
+};
+
+}  // namespace
+
+PlanarLoops half_way(const PlanarLoops& first, const PlanarLoops& second) {
+  // The second shape in the place of the first: as the outer loop has moved.
+  const Similarity back = best_similarity(second[0], first[0]);
+  PlanarLoops out;
+  for (std::size_t l = 0; l < first.size(); ++l) {
+    std::vector<Point2> placed;
+    for (const Point2& p : second[l]) placed.push_back(as_point(back(as_complex(p))));
+    out.push_back(half_way_loop(first[l], placed));
+  }
+  return out;
+}
+
+PlanarPair mesh_planar_pair(const PlanarLoops& first, const PlanarLoops& second,
+                            const PlanarMeshOptions& options, const Metric& second_metric,
+                            const Context& context) {
+  const auto count = [](const std::vector<Point2>& loop) { return loop.size(); };
+  if (!std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                  [&](const auto& a, const auto& b) { return count(a) == count(b); }))
+    throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
+  return PairMesher(first, second, options, second_metric, context).run(second);
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,107 @@
+"""The quality panel: histogram, threshold, section, worst elements."""
+import os
+import sys
+
+sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
+import FreeCAD
+import FreeCADGui
+import Part
+from driver import (
+    LEFT, NO_KEY, QTest, check, go, is_panel_open, note, panel_button, picture, press, settle, show_all, tool_button,
+    wait_for, widget,
+)
+from PySide import QtCore
+
+from sweepmesh import app
+
+
+def steps():
+    document = FreeCAD.newDocument("Part")
+    frustum = document.addObject("Part::Feature", "Frustum")
+    base, top = (Part.makePolygon(ring) for ring in (square(10, 0), square(3, 12)))
+    frustum.Shape = Part.makeLoft([base, top], True)
+    document.recompute()
+    mesh = app.make_sweep_mesh(frustum, size=1.5)
+    frustum.ViewObject.Visibility = False
+    note("message", mesh.Message)
+    show_all()
+    settle(0.6)
+    check("the command is off without a mesh", not tool_button("Quality of the sweep mesh").isEnabled())
+    FreeCADGui.Selection.addSelection(mesh)
+    settle(0.6)
+    press(tool_button("Quality of the sweep mesh"))
+    check("the panel opens", wait_for(is_panel_open))
+    check("all worst elements are listed", widget("worst").count() == min(20, mesh.Hexahedra))
+    check("the mesh gives way to the coloured one", not mesh.ViewObject.Visibility)
+    picture("01_quality")
+    threshold(mesh)
+    section()
+    worst(mesh)
+    press(panel_button("Close"))
+    check("the panel closes", wait_for(lambda: not is_panel_open()))
+    check("the mesh is shown again", mesh.ViewObject.Visibility)
+    an_undone_mesh_closes_the_panel(document, mesh)
+
+
+def square(half, z):
+    corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)]
+    return [FreeCAD.Vector(x, y, z) for x, y in corners]
+
+
+def drawn(mesh):
+    """Number of quads that the overlay draws now."""
+    root = mesh.ViewObject.RootNode
+    overlay = root.getChild(root.getNumChildren() - 1)
+    if overlay.getNumChildren() < 2:
+        return 0
+    faces = overlay.getChild(1).getChild(1)
+    return faces.getChild(faces.getNumChildren() - 1).coordIndex.getNum() // 5
+
+
+def threshold(mesh):
+    whole = drawn(mesh)
+    bars = widget("histogram")
+    middle = sorted(mesh.ScaledJacobians)[mesh.Hexahedra // 2]
+    at = bars.bar(1 + int(middle * 10)).center().toPoint()
+    QTest.mouseClick(bars, LEFT, NO_KEY, at)
+    settle()
+    check("a click on a bar sets the threshold", abs(widget("threshold").value() - (int(middle * 10) + 1) / 10) < 1e-9)
+    widget("threshold").setValue(round(middle - 0.01, 2))
+    settle()
+    note("quads", [whole, drawn(mesh)])
+    check("fewer elements are drawn", drawn(mesh) != whole)
+    picture("02_threshold")
+    widget("threshold").setValue(1.0)
+
+
+def section():
+    widget("axis").setCurrentIndex(2)
+    settle()
+    slider = widget("position")
+    QTest.mouseClick(slider, LEFT, NO_KEY, QtCore.QPoint(slider.width() // 3, slider.height() // 2))
+    settle()
+    picture("03_section")
+    widget("axis").setCurrentIndex(0)
+
+
+def worst(mesh):
+    rows = widget("worst")
+    at = rows.visualItemRect(rows.item(0)).center()
+    QTest.mouseClick(rows.viewport(), LEFT, NO_KEY, at)
+    settle()
+    check("a click on a row shows one element", drawn(mesh) == 6)
+    QTest.mouseDClick(rows.viewport(), LEFT, NO_KEY, at)
+    settle()
+    picture("04_worst")
+
+
+def an_undone_mesh_closes_the_panel(document, mesh):
+    FreeCADGui.Selection.addSelection(mesh)
+    settle(0.6)
+    press(tool_button("Quality of the sweep mesh"))
+    wait_for(is_panel_open)
+    document.removeObject(mesh.Name)
+    check("deleting the mesh closes the panel", wait_for(lambda: not is_panel_open()))
+
+
+go(steps)

@@ -1,0 +1,173 @@
+"""What goes wrong: unsweepable solids, runs that are stopped, documents and shapes that go away meanwhile."""
+import os
+import pathlib
+import sys
+
+sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
+import FreeCAD
+import FreeCADGui
+from driver import (
+    LEFT, NO_KEY, OUT, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle, show_all,
+    tool_button, type_into, wait_for, widget,
+)
+from PySide import QtCore
+
+FINE = "0.1 mm"  # makes a run of seconds: time enough to stop it
+
+
+def steps():
+    an_unsweepable_solid()
+    a_run_that_is_stopped()
+    a_setting_that_fails()
+    a_shape_deleted_while_meshing()
+    a_document_closed_while_meshing()
+    save_close_reopen_edit()
+    another_document_becomes_active()
+
+
+def new_brick(name="Part"):
+    document = FreeCAD.newDocument(name)
+    document.UndoMode = 1
+    brick = document.addObject("Part::Box", "Brick")
+    brick.Length, brick.Width, brick.Height = 20, 10, 8
+    document.recompute()
+    show_all()
+    return document, brick
+
+
+def open_panel(obj):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(obj)
+    settle(0.6)
+    press(tool_button("Create sweep mesh"))
+    return wait_for(is_panel_open)
+
+
+def finish(document):
+    if is_panel_open():
+        press(panel_button("Cancel"))
+        wait_for(lambda: not is_panel_open())
+    FreeCAD.closeDocument(document.Name)
+    settle()
+
+
+def an_unsweepable_solid():
+    document = FreeCAD.newDocument("Ball")
+    ball = document.addObject("Part::Sphere", "Ball")
+    document.recompute()
+    show_all()
+    open_panel(ball)
+    check("reasons are listed", wait_for(lambda: rows("reasons")))
+    note("reasons", rows("reasons"))
+    shown = widget("reasons")
+    QTest.mouseClick(shown.viewport(), LEFT, NO_KEY, shown.visualItemRect(shown.item(0)).center())
+    settle()
+    chosen = [name for one in FreeCADGui.Selection.getSelectionEx() for name in one.SubElementNames]
+    check("a click on a reason selects what it names", chosen == shown.item(0).data(QtCore.Qt.UserRole))
+    picture("01_unsweepable")
+    press(panel_button("OK"))
+    settle(1.0)
+    check("no mesh is made of it", is_panel_open() and document.Objects == [ball])
+    finish(document)
+
+
+def start_fine_run(brick):
+    open_panel(brick)
+    wait_for(lambda: rows("sources"))
+    type_into("meshSize", FINE)
+    press(panel_button("OK"))
+    return wait_for(lambda: is_shown("progress"), 5)
+
+
+def a_run_that_is_stopped():
+    document, brick = new_brick()
+    check("a run shows its progress", start_fine_run(brick))
+    picture("02_running")
+    press(widget("stop"))
+    check("stop ends the run within a second", wait_for(lambda: widget("meshBox").isEnabled(), 1.5))
+    check("the panel stays, the document is as before", is_panel_open() and document.Objects == [brick])
+    picture("03_stopped")
+    press(panel_button("OK"))
+    settle(0.3)
+    press(panel_button("Cancel"))
+    check("cancel in mid-run closes the panel", wait_for(lambda: not is_panel_open(), 5))
+    check("and changes nothing", document.Objects == [brick])
+    finish(document)
+
+
+def a_setting_that_fails():
+    document, brick = new_brick()
+    open_panel(brick)
+    wait_for(lambda: rows("sources"))
+    type_into("meshSize", "2 mm")
+    press(panel_button("OK"))
+    wait_for(lambda: not is_panel_open(), 60)
+    mesh = document.SweepMesh
+    count = mesh.FemMesh.HexaCount
+    mesh.MaxElements = 10
+    document.recompute()
+    settle()
+    check("the object shows its failure", not mesh.isValid() and mesh.Message)
+    check("and keeps its mesh", mesh.FemMesh.HexaCount == count > 10)
+    picture("04_failed")
+    finish(document)
+
+
+def a_shape_deleted_while_meshing():
+    document, brick = new_brick()
+    start_fine_run(brick)
+    document.removeObject(brick.Name)
+    check("deleting the shape closes the panel", wait_for(lambda: not is_panel_open(), 5))
+    settle(0.5)
+    check("and leaves no mesh", document.Objects == [])
+    finish(document)
+
+
+def a_document_closed_while_meshing():
+    document, brick = new_brick()
+    start_fine_run(brick)
+    FreeCAD.closeDocument(document.Name)
+    check("closing the document closes the panel", wait_for(lambda: not is_panel_open(), 5))
+    settle(0.5)
+
+
+def save_close_reopen_edit():
+    document, brick = new_brick()
+    open_panel(brick)
+    wait_for(lambda: rows("sources"))
+    type_into("meshSize", "2 mm")
+    press(panel_button("OK"))
+    wait_for(lambda: not is_panel_open(), 60)
+    count = document.SweepMesh.FemMesh.HexaCount
+    path = str(pathlib.Path(OUT) / "saved.FCStd")
+    document.saveAs(path)
+    FreeCAD.closeDocument(document.Name)
+    document = FreeCAD.openDocument(path)
+    settle()
+    mesh = document.SweepMesh
+    check("the mesh is there after reopening", mesh.FemMesh.HexaCount == count)
+    FreeCADGui.ActiveDocument.setEdit(mesh.Name)
+    check("it can be edited", wait_for(lambda: rows("sources")))
+    widget("layerCount").setValue(6)
+    press(panel_button("OK"))
+    wait_for(lambda: not is_panel_open(), 60)
+    check("and meshed again", mesh.Layers == 6 and mesh.FemMesh.HexaCount == 6 * 5 * 4)
+    picture("05_reopened")
+    finish(document)
+
+
+def another_document_becomes_active():
+    document, brick = new_brick("First")
+    open_panel(brick)
+    wait_for(lambda: rows("sources"))
+    other = FreeCAD.newDocument("Second")
+    settle()
+    type_into("meshSize", "2 mm")
+    press(panel_button("OK"))
+    check("the panel works on", wait_for(lambda: not is_panel_open(), 60))
+    check("the mesh lands with its shape", document.getObject("SweepMesh") and not other.Objects)
+    FreeCAD.closeDocument(other.Name)
+    finish(document)
+
+
+go(steps)
