@@ -210,31 +210,68 @@ class OrderAdder {
   }
 
   /// All sides, in the order of their middles: a weak order, equal where they lie on one line. Grid
-  /// lines that are monotone in the layout can only cross where they collapse, which add() forbids.
+  /// lines that are monotone in the layout can only touch where a neck between two corners
+  /// collapses.
   int add_all(Across a) {
-    const int before = n_added_, along = a == Across::i ? 0 : 1;
-    known_.clear();
-    const auto sides = face_.sides(a);
-    for (const Side& s : sides)
-      for (const Side& t : sides) {
-        const double ahead = face_.middle(t)[along] - face_.middle(s)[along];
-        if (s != t && ahead >= -face_.tolerance()) require(a, s, t, 0);
-      }
+    const int before = n_added_;
+    const auto sides = in_order(a);
+    for (std::size_t j = 0; j + 1 < sides.size(); ++j) {
+      add_order(a, sides[j], sides[j + 1], 0);
+      if (place(a, sides[j + 1]) - place(a, sides[j]) <= face_.tolerance())
+        add_order(a, sides[j + 1], sides[j], 0);
+    }
+    for (std::size_t j = 0; j < sides.size(); ++j) add_neck(a, sides, j);
     return n_added_ - before;
   }
 
  private:
+  double place(Across a, const Side& s) const { return face_.middle(s)[a == Across::i ? 0 : 1]; }
+
+  std::vector<Side> in_order(Across a) const {
+    auto sides = face_.sides(a);
+    std::stable_sort(sides.begin(), sides.end(),
+                     [&](const Side& s, const Side& t) { return place(a, s) < place(a, t); });
+    return sides;
+  }
+
+  /// Two corners on one line that face each other: sides[j] opens, another closes, and they meet in
+  /// one coordinate only. The first such after j is kept a quad away from it.
+  void add_neck(Across a, const std::vector<Side>& sides, std::size_t j) {
+    if (!face_.opens(sides[j])) return;
+    for (std::size_t other = j + 1; other < sides.size(); ++other) {
+      if (place(a, sides[other]) - place(a, sides[j]) <= face_.tolerance()) continue;
+      if (!meet_at_ends(a, sides[j], sides[other])) continue;
+      if (!face_.opens(sides[other])) add_order(a, sides[j], sides[other], 1);
+      return;
+    }
+  }
+
+  bool meet_at_ends(Across a, const Side& s, const Side& t) const {
+    const int across = a == Across::i ? 1 : 0;
+    for (const double f : {0.0, 1.0})
+      for (const double g : {0.0, 1.0})
+        if (std::abs(face_.at(s, f)[across] - face_.at(t, g)[across]) <= face_.tolerance())
+          return true;
+    return false;
+  }
+
+  /// Where the solution has it otherwise, and each pair once.
   void require(Across a, const Side& low, const Side& high, int least) {
     if (!known_.insert({low, high}).second) return;
+    const Terms terms =
+        difference(face_.position(a, high, demands_), face_.position(a, low, demands_));
+    if (value(terms, solution_) < least) add_order(a, low, high, least);
+  }
+
+  void add_order(Across a, const Side& low, const Side& high, int least) {
     Terms terms = difference(face_.position(a, high, demands_), face_.position(a, low, demands_));
-    if (value(terms, solution_) >= least) return;
+    if (value(terms, solution_) < least) ++n_added_;
     const std::string name = name_of(face_.face());
     demands_.problem.demand({Kind::at_least,
                              std::move(terms),
                              static_cast<double>(least),
                              {name},
                              "the sides of " + name + " must not touch or cross"});
-    ++n_added_;
   }
 
   const FaceSides& face_;
