@@ -18,6 +18,12 @@ struct Side {
   auto operator<=>(const Side&) const = default;
 };
 
+/// A vertex where the face's boundary turns, with its sides along k and along i.
+struct Corner {
+  Side axial, transverse;
+  Point2 at;  ///< in the layout
+};
+
 /// A side that a line across the face meets, and where.
 struct Crossing {
   Side side;
@@ -51,6 +57,22 @@ class FaceSides {
         const Side s{static_cast<int>(l), static_cast<int>(c)};
         if (has_side(a, s)) out.push_back(s);
       }
+    return out;
+  }
+
+  /// Where the face's interior angle is more than a half turn.
+  std::vector<Corner> reentrant_corners() const {
+    std::vector<Corner> out;
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      const int n = static_cast<int>(loops_[l].size());
+      for (int c = 0; c < n; ++c) {
+        const Side before{static_cast<int>(l), (c + n - 1) % n}, after{static_cast<int>(l), c};
+        const bool is_axial_after = has_side(Across::i, after);
+        if (turned(direction(before), VertexType::corner) != direction(after)) continue;
+        out.push_back(
+            {is_axial_after ? after : before, is_axial_after ? before : after, at(after, 0.0)});
+      }
+    }
     return out;
   }
 
@@ -220,7 +242,17 @@ class OrderAdder {
       if (place(a, sides[j + 1]) - place(a, sides[j]) <= face_.tolerance())
         add_order(a, sides[j + 1], sides[j], 0);
     }
-    for (std::size_t j = 0; j < sides.size(); ++j) add_neck(a, sides, j);
+    return n_added_ - before;
+  }
+
+  /// Two re-entrant corners in one grid point: the neck of the face between them has collapsed. It
+  /// is opened in the direction in which it is longer.
+  int add_necks() {
+    const int before = n_added_;
+    const auto corners = face_.reentrant_corners();
+    for (std::size_t a = 0; a < corners.size(); ++a)
+      for (std::size_t b = a + 1; b < corners.size(); ++b)
+        if (coincide(corners[a], corners[b])) open_neck(corners[a], corners[b]);
     return n_added_ - before;
   }
 
@@ -234,25 +266,22 @@ class OrderAdder {
     return sides;
   }
 
-  /// Two corners on one line that face each other: sides[j] opens, another closes, and they meet in
-  /// one coordinate only. The first such after j is kept a quad away from it.
-  void add_neck(Across a, const std::vector<Side>& sides, std::size_t j) {
-    if (!face_.opens(sides[j])) return;
-    for (std::size_t other = j + 1; other < sides.size(); ++other) {
-      if (place(a, sides[other]) - place(a, sides[j]) <= face_.tolerance()) continue;
-      if (!meet_at_ends(a, sides[j], sides[other])) continue;
-      if (!face_.opens(sides[other])) add_order(a, sides[j], sides[other], 1);
-      return;
-    }
+  long position(Across a, const Side& s) const {
+    return value(face_.position(a, s, demands_), solution_);
   }
-
-  bool meet_at_ends(Across a, const Side& s, const Side& t) const {
-    const int across = a == Across::i ? 1 : 0;
-    for (const double f : {0.0, 1.0})
-      for (const double g : {0.0, 1.0})
-        if (std::abs(face_.at(s, f)[across] - face_.at(t, g)[across]) <= face_.tolerance())
-          return true;
-    return false;
+  bool coincide(const Corner& a, const Corner& b) const {
+    return position(Across::i, a.axial) == position(Across::i, b.axial) &&
+           position(Across::k, a.transverse) == position(Across::k, b.transverse);
+  }
+  void open_neck(const Corner& a, const Corner& b) {
+    const Point2 apart = b.at - a.at;
+    const bool along_i = std::abs(apart.x()) > std::abs(apart.y());
+    const bool is_a_first = (along_i ? apart.x() : apart.y()) > 0.0;
+    const Corner &low = is_a_first ? a : b, &high = is_a_first ? b : a;
+    if (along_i)
+      add_order(Across::i, low.axial, high.axial, 1);
+    else
+      add_order(Across::k, low.transverse, high.transverse, 1);
   }
 
   /// Where the solution has it otherwise, and each pair once.
@@ -319,6 +348,7 @@ int Separation::add_violated(const CountSolution& solution, IntervalDemands& dem
     OrderAdder order(face, solution, demands);
     int n_of_face = order.add(Across::i) + order.add(Across::k);
     if (n_of_face == 0) n_of_face = order.add_all(Across::i) + order.add_all(Across::k);
+    if (n_of_face == 0) n_of_face = order.add_necks();
     n_added += n_of_face;
   }
   return n_added;
