@@ -52,7 +52,7 @@ Choices start_of(const Network& network, const std::vector<Pick>& picks) {
 
 /// Raises the limit of cost until something is found, then looks once more for what is nearly as
 /// good.
-SearchResult search(const Network& network, const std::vector<Pick>& picks, const Context& context,
+SearchResult search(const Network& network, const std::vector<Pick>& picks, Context& context,
                     SearchOptions options = {}) {
   const Choices start = start_of(network, picks);
   options.is_symmetric = picks.empty();
@@ -69,10 +69,20 @@ SearchResult search(const Network& network, const std::vector<Pick>& picks, cons
   return wider.is_complete ? wider : result;
 }
 
+int count(const Division& division, StateSet role) {
+  return static_cast<int>(
+      std::count(division.choices.role.begin(), division.choices.role.end(), role));
+}
+
+/// Best first. Where nothing tells sources and targets apart (`is_symmetric`), the more are the
+/// sources.
 std::vector<Scheme> ranked(const Model& model, const Network& network,
-                           const std::vector<Division>& divisions) {
+                           std::vector<Division> divisions, bool is_symmetric) {
   std::vector<std::pair<Rank, const Division*>> order;
-  for (const Division& d : divisions) order.emplace_back(rank_of(network, d), &d);
+  for (Division& d : divisions) {
+    if (is_symmetric && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
+    order.emplace_back(rank_of(network, d), &d);
+  }
   std::ranges::sort(order, {}, &std::pair<Rank, const Division*>::first);
   std::vector<Scheme> out;
   for (const auto& [rank, d] : order)
@@ -82,7 +92,7 @@ std::vector<Scheme> ranked(const Model& model, const Network& network,
 
 /// The picks without each of which the others can be met; all where no single one is to blame.
 std::vector<FaceId> blamed_picks(const Network& network, const std::vector<Pick>& picks,
-                                 const Context& context) {
+                                 Context& context) {
   std::vector<FaceId> blamed, all;
   SearchOptions brief;
   brief.max_effort /= 4 * static_cast<long>(picks.size());
@@ -110,7 +120,7 @@ std::optional<Reason> keep_paired(const Network& network, const Picks& picks,
 
 class Assessor {
  public:
-  Assessor(const Model& model, const Picks& picks, const Context& context)
+  Assessor(const Model& model, const Picks& picks, Context& context)
       : model_(model),
         picks_(picks),
         context_(context),
@@ -143,7 +153,7 @@ class Assessor {
     }
     if (auto reason = keep_paired(network, picks_, result.divisions))
       return Assessment{{}, {*reason}};
-    return Assessment{ranked(model_, network, result.divisions), {}};
+    return Assessment{ranked(model_, network, result.divisions, chosen_.empty()), {}};
   }
 
   /// Two closed shells and nothing between them: from the one to the other, whatever the angles
@@ -174,7 +184,7 @@ class Assessor {
 
   const Model& model_;
   const Picks& picks_;
-  const Context& context_;
+  Context& context_;
   SweepProblem problem_;
   std::vector<Pick> chosen_;
   bool is_strict_complete_ = false;  ///< some search proved that there is nothing
