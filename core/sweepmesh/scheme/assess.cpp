@@ -118,6 +118,18 @@ std::optional<Reason> keep_paired(const Network& network, const Picks& picks,
   return divisions.empty() ? first : std::nullopt;
 }
 
+/// Whether the edges of a shell bend all outwards or all inwards.
+bool is_convex_shell(const SweepProblem& problem, int shell) {
+  const AngleLimits limits = radial_limits();
+  bool bends_out = false, bends_in = false;
+  for (const ProblemEdge& edge : problem.edges) {
+    if (problem.faces[problem.coedges[edge.coedge[0]].face].shell != shell) continue;
+    bends_out |= edge.least < 2 * kQuarterTurn - limits.margin;
+    bends_in |= edge.largest > 2 * kQuarterTurn + limits.margin;
+  }
+  return !(bends_out && bends_in);
+}
+
 class Assessor {
  public:
   Assessor(const Model& model, const Picks& picks, Context& context)
@@ -139,7 +151,7 @@ class Assessor {
       if (auto found = try_with(lenient, chosen_)) return *found;
       return refuse_picks(strict, lenient);
     }
-    if (auto found = try_radial(lenient)) return *found;
+    if (auto found = try_radial()) return *found;
     return refuse(lenient);
   }
 
@@ -156,15 +168,16 @@ class Assessor {
     return Assessment{ranked(model_, network, result.divisions, chosen_.empty()), {}};
   }
 
-  /// Two closed shells and nothing between them: from the one to the other, whatever the angles
-  /// between the faces of a shell.
-  std::optional<Assessment> try_radial(const Network& lenient) {
+  /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to
+  /// the other.
+  std::optional<Assessment> try_radial() {
     std::vector<Pick> shells;
     for (const ProblemFace& face : problem_.faces) {
       if (face.shell > 1) return {};
       shells.emplace_back(face.id, face.shell == 0 ? kSourceStates : kTargetStates);
     }
-    return try_with(lenient, shells);
+    if (!is_convex_shell(problem_, 0) || !is_convex_shell(problem_, 1)) return {};
+    return try_with(make_network(problem_, radial_limits()), shells);
   }
 
   Assessment refuse(const Network& lenient) {
