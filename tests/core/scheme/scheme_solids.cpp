@@ -116,6 +116,10 @@ Model hollow_box() {
   return to_model(cut(block({-30, -25, -20}, {30, 25, 20}), block({-16, -12, -9}, {16, 12, 9})));
 }
 
+Model box_with_ball_void() {
+  return to_model(cut(block({-30, -25, -20}, {30, 25, 20}), BRepPrimAPI_MakeSphere(9).Shape()));
+}
+
 Model mitred_tube() {
   return to_model(cut(mitred_bar(6, 40), mitred_bar(3, 41)));
 }

@@ -15,6 +15,8 @@ Model rounded_plate();
 Model hollow_ball(int n_voids);
 /// A box of 60 x 50 x 40 with a box-shaped void in the middle.
 Model hollow_box();
+/// A box of 60 x 50 x 40 with a ball cut out of its middle.
+Model box_with_ball_void();
 /// A tube of square section with a square bore that turns by a right angle in a mitre.
 Model mitred_tube();
 /// A plate with a slot cut into its top that is wider below (a dovetail), so that walls meet at 60
