@@ -54,3 +54,9 @@ def test_solids_and_what_is_none(document, box):
     for wrong in (empty, group, Part.makePlane(1, 1), 7):
         with pytest.raises(InputError):
             app.assess(wrong)
+
+
+def test_two_solids_in_one_shape_are_told(document):
+    two = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, FreeCAD.Vector(3, 0, 0))])
+    with pytest.raises(InputError, match="2 solids"):
+        app.assess(two)
