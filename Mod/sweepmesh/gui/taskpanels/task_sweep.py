@@ -4,6 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from sweepmesh import engine
+from sweepmesh.app import preferences
 from sweepmesh.app.objects.sweep import options_of
 from sweepmesh.app.remembered import remember
 from sweepmesh.app.shapes import brep_of, proposed_size
@@ -43,7 +44,8 @@ class SweepPanel:
         """Show the settings of the mesh object, or those to start with."""
         form = self.form
         form.shapeName.setText(self._shape.Label)
-        options = options_of(self._mesh) if self._mesh else engine.Options(size=proposed_size(self._shape))
+        form.showRoles.setChecked(preferences.colour_faces())
+        options = options_of(self._mesh) if self._mesh else self._first_options()
         form.meshSize.setProperty("rawValue", options.size or 0.0)
         form.layerCount.setValue(options.layers or 0)
         form.elementKind.setCurrentIndex(ELEMENTS.index(options.element) if options.element in ELEMENTS else 0)
@@ -53,6 +55,10 @@ class SweepPanel:
         else:
             sources, targets = _split(faces)
         self._faces.set_picks(sources, targets)
+
+    def _first_options(self):
+        size = proposed_size(self._shape, preferences.wished_elements())
+        return engine.Options(size=size, order=preferences.order())
 
     def settings(self):
         """Return the settings of the form by the names that `make_sweep_mesh` takes."""
@@ -158,7 +164,7 @@ class SweepPanel:
         return True
 
     def _task(self):
-        settings = self.settings()
+        settings = {**self.settings(), "threads": preferences.threads()}
         return brep_of(self._shape), options_for(self._shape, **settings)
 
     def _show_running(self, is_running):
@@ -200,7 +206,9 @@ class SweepPanel:
         analysis = recorder.active_analysis(self._shape.Document)
         if analysis:
             arguments.append(f"analysis={recorder.reference(analysis)}")
-        lines = [f"mesh = sweepmesh.app.make_sweep_mesh({', '.join(arguments)})", f"{shape}.Visibility = False"]
+        lines = [f"mesh = sweepmesh.app.make_sweep_mesh({', '.join(arguments)})"]
+        if preferences.hide_solid():
+            lines.append(f"{shape}.Visibility = False")
         return tr("Create sweep mesh"), lines
 
     # --- the end --------------------------------------------------------------------------------------
