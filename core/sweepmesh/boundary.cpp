@@ -47,25 +47,26 @@ std::vector<ColumnNodes> linking_columns(const SurfaceMesh& surface) {
   return columns;
 }
 
-/// The target's node under each boundary node of the source, at the foot of its column.
-std::vector<CapNode> feet(const Model& model, FaceId target, const CapMesh& source,
-                          const EdgeMesh& edges, const std::vector<ColumnNodes>& columns,
-                          const std::vector<ColumnId>& column_at) {
+/// The target's node under each node of the source's loops, at the foot of its column.
+CapLoops feet(const Model& model, FaceId source, const CapLoops& loops, FaceId target,
+              const EdgeMesh& edges, const std::vector<ColumnNodes>& columns,
+              const std::vector<ColumnId>& column_at) {
   std::map<NodeId, CapNode> on_target;
   for (const auto& loop : cap_loops(model, target, edges.edge, edges.parameters.t))
     for (const CapNode& node : loop) on_target.emplace(node.node, node);
-  std::vector<CapNode> out;
-  for (const NodeId node : source.boundary) {
-    const ColumnId c = column_at[node.index];
-    const auto foot =
-        c.is_valid() ? on_target.find(columns[c.index].nodes.front()) : on_target.end();
-    if (foot == on_target.end())
-      throw InvalidMeshError("surface",
-                             "The linking faces do not lead from " + name_of(source.face) + " to " +
-                                 name_of(target) + ".",
-                             {name_of(source.face), name_of(target)}, {});
-    out.push_back(foot->second);
-  }
+  CapLoops out = loops;
+  for (auto& loop : out)
+    for (CapNode& node : loop) {
+      const ColumnId c = column_at[node.node.index];
+      const auto foot =
+          c.is_valid() ? on_target.find(columns[c.index].nodes.front()) : on_target.end();
+      if (foot == on_target.end())
+        throw InvalidMeshError("surface",
+                               "The linking faces do not lead from " + name_of(source) + " to " +
+                                   name_of(target) + ".",
+                               {name_of(source), name_of(target)}, {});
+      node = foot->second;
+    }
   return out;
 }
 
@@ -106,10 +107,9 @@ BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Inter
   const auto column_at = columns_at_nodes(mesh.columns, mesh.surface.n_nodes());
 
   const CapLoops loops = cap_loops(model, source, edges.edge, edges.parameters.t);
-  const CapMesh upper = mesh_cap(model, source, loops, options.size, kind, context);
-  const CapMesh lower =
-      map_cap(model, upper, target, feet(model, target, upper, edges, mesh.columns, column_at),
-              options.size, context);
+  const CapLoops partner = feet(model, source, loops, target, edges, mesh.columns, column_at);
+  const auto [upper, lower] =
+      mesh_cap_pair(model, source, loops, target, partner, options.size, kind, context);
   const std::vector<NodeId> up = add_cap(upper, mesh.surface);
   const std::vector<NodeId> down = add_cap(lower, mesh.surface);
   add_inner_columns(upper, up, down, column_at, mesh);

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "sweepmesh/boundary.h"
+#include "sweepmesh/imprint/imprint_caps.h"
+#include "sweepmesh/imprinted_boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/wishes.h"
 #include "sweepmesh/second_order_on_model.h"
@@ -89,6 +91,42 @@ void refuse_explosion(const Model& model, const SweepOptions& options, double si
          "; choose a larger size, or lift the limit with --force (max_elements in Python).");
 }
 
+bool is_one_to_one(const Scheme& scheme) {
+  return scheme.faces_with(FaceRole::source).size() == 1 &&
+         scheme.faces_with(FaceRole::target).size() == 1;
+}
+
+BoundaryMesh boundary_of_one(const Model& model, const Scheme& scheme,
+                             const IntervalOptions& options, CellKind kind, StageClock& clock,
+                             Context& context, SweepResult& result) {
+  context.report(0.1, "Choosing intervals");
+  result.intervals =
+      clock.run("intervals", [&] { return assign_intervals(model, scheme, options, context); });
+  context.report(0.2, "Meshing the surface");
+  return clock.run("surface", [&] {
+    return mesh_boundary(model, scheme, result.intervals, options, kind, context);
+  });
+}
+
+BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
+                              const IntervalOptions& options, CellKind kind, StageClock& clock,
+                              Context& context, SweepResult& result) {
+  context.report(0.05, "Imprinting");
+  const Imprint imprint = clock.run("imprint", [&] {
+    ImprintOptions how;
+    how.size = options.size;
+    return imprint_caps(model, scheme, how, context);
+  });
+  context.report(0.1, "Choosing intervals");
+  const ImprintCounts counts = clock.run(
+      "intervals", [&] { return count_imprint(model, scheme, imprint, options, context); });
+  result.intervals = counts.intervals;
+  context.report(0.2, "Meshing the surface");
+  return clock.run("surface", [&] {
+    return mesh_imprinted_boundary(model, scheme, imprint, counts, options, kind, context);
+  });
+}
+
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
   const PlacementReport report =
@@ -125,18 +163,13 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
   if (!result.assessment.is_sweepable()) return result;
   const Scheme& scheme = result.assessment.schemes.front();
 
-  context.report(0.1, "Choosing intervals");
   const IntervalOptions intervals = interval_options(options, result.size);
-  result.intervals =
-      clock.run("intervals", [&] { return assign_intervals(model, scheme, intervals, context); });
+  const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
+  const BoundaryMesh boundary =
+      is_one_to_one(scheme) ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
+                            : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
   if (!result.intervals.is_optimal)
     result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
-
-  context.report(0.2, "Meshing the surface");
-  const BoundaryMesh boundary = clock.run("surface", [&] {
-    const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
-    return mesh_boundary(model, scheme, result.intervals, intervals, kind, context);
-  });
 
   context.report(0.6, "Placing interior nodes");
   result.mesh = clock.run("place", [&] {

@@ -116,9 +116,9 @@ def test_an_object_of_a_document_can_be_named(sweepmesh, shapes):
 
 
 def test_force_lifts_the_limit(sweepmesh, shapes):
-    """Only that it is lifted: the run itself would be long, so an unsweepable solid ends it at once."""
-    done = sweepmesh(shapes / "voids.step", "--size", 0.001, "--force")
-    assert done.returncode == 2
+    """An unsweepable solid ends the run at once when the limit does not: no mesh of this size is made."""
+    assert sweepmesh(shapes / "voids.step", "--size", 0.08).returncode == 1
+    assert sweepmesh(shapes / "voids.step", "--size", 0.08, "--force").returncode == 2
 
 
 def run_on_terminal(start, arguments):

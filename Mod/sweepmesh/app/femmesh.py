@@ -13,9 +13,9 @@ import tempfile
 import Fem
 import numpy as np
 
-from sweepmesh.app.vtu import write_vtu
 from sweepmesh.engine.errors import input_error
 from sweepmesh.engine.numbering import TO_SMESH, VTK_TYPES
+from sweepmesh.engine.writers.vtu import write_vtu
 
 _FACE_TYPES = {3: 5, 4: 9, 6: 22, 8: 23}  # nodes per element -> VTK's number of the kind
 

@@ -5,10 +5,10 @@
 //   demands, sum a_rj x_j even, that minimise  sum_j weight_j (x_j / wish_j + wish_j / x_j - 2) +
 //   penalties.
 //
-// The cost of an unknown is the same for half as many as for twice as many, near its wish it is
-// quadratic in the relative deviation (x - wish) / wish; so what has to give is spread over all
-// unknowns in proportion to their size. It is convex, and tabulated at whole numbers only: the
-// linear relaxation then has whole corners wherever the demands are network-like.
+// The cost of an unknown is the same for half as many as for twice as many; near its wish it is
+// weight ((x - wish) / wish)^2. With weight = wish, what has to give is spread in proportion: each
+// by the same part of itself. The cost is convex, and tabulated at whole numbers only: the linear
+// relaxation then has whole corners wherever the demands are network-like.
 #pragma once
 
 #include <optional>

@@ -58,6 +58,7 @@ class Repair {
     for (const auto& [c, a] : row.coefficient)
       rows_of_[c].push_back(static_cast<int>(rows_.size()));
     last_step_.push_back(-1);
+    reach_left_.push_back(reach);
     rows_.push_back(std::move(row));
   }
 
@@ -131,8 +132,10 @@ class Repair {
     for (const int r : rows_of_.at(c))
       if (last_step_[r] == s && !close(rows_[r], sum_of(r), cost)) return false;
     for (std::size_t j = 0; j < open.size(); ++j) {
-      const int sum = sum_of(open[j]);
-      after[j] = rows_[open[j]].is_parity() ? (sum % 2 + 2) % 2 : sum;
+      const Row& row = rows_[open[j]];
+      const int sum = sum_of(open[j]), reach = reach_left_[open[j]];
+      after[j] = row.is_parity() ? (sum % 2 + 2) % 2 : sum;
+      if (!row.is_parity() && (sum + reach < row.low || sum - reach > row.high)) return false;
     }
     return true;
   }
@@ -141,6 +144,8 @@ class Repair {
     const auto& k = classes_.classes[order_[s]];
     const double n = value_[order_[s]];
     const std::vector<int> open = open_after(s);
+    for (const int r : rows_of_.at(order_[s]))
+      reach_left_[r] -= std::abs(rows_[r].coefficient.at(order_[s])) * options_.max_step;
     std::map<State, Entry> next;
     State after;
     for (std::size_t p = 0; p < steps_.back().size(); ++p) {
@@ -183,7 +188,9 @@ class Repair {
   const RepairOptions& options_;
   std::vector<Row> rows_;
   std::map<int, std::vector<int>> rows_of_;  ///< by class
-  std::vector<int> order_, last_step_;
+  std::vector<int> order_;
+  std::vector<int> last_step_,
+      reach_left_;  ///< by row; how far the classes to come can still move it
   std::vector<int> open_;
   std::vector<Step> steps_;
 };

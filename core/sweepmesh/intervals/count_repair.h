@@ -9,8 +9,8 @@
 namespace sweepmesh {
 
 struct RepairOptions {
-  int max_step = 1;                ///< how far a count may move, >= 1
-  double odd_penalty = 0.5;        ///< for each preferably even sum that stays odd
+  int max_step = 1;              ///< how far a count may move, >= 1
+  double odd_penalty = 0.5;      ///< for each preferably even sum that stays odd
   std::size_t max_states = 500;  ///< states kept per step; beyond, only the cheapest are
 };
 

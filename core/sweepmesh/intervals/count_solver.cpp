@@ -235,15 +235,17 @@ class PartSolver {
     const bool has_parity = std::any_of(part.begin(), part.end(),
                                         [&](int d) { return is_parity(classes_.demands[d].kind); });
     if (!solve_program(part, false)) return false;
-    if (!has_parity || repair(part, 1) || repair(part, 2)) return true;
-    return solve_program(part, true);
+    const std::size_t few = 500, many = 20000;  // states: the first decides most problems at once
+    return !has_parity || repair(part, 1, few) || repair(part, 1, many) || repair(part, 2, many) ||
+           solve_program(part, true);
   }
 
   bool solve_program(const std::vector<int>& part, bool with_parity) {
     PartProgram p(classes_, start_, fixed_, options_);
     for (const int d : part)
       if (with_parity || !is_parity(classes_.demands[d].kind)) p.add(classes_.demands[d]);
-    const SolveOptions how{.time_limit_seconds = options_.time_limit_seconds};
+    SolveOptions how{.time_limit_seconds = options_.time_limit_seconds};
+    if (with_parity) how.gap = 0.05;  // the relaxation sees no parity: the last bit cannot be proven
     const Solution s = solve(p.program(), how, context_);
     if (s.status == SolveStatus::infeasible) return false;
     is_optimal_ = is_optimal_ && s.status == SolveStatus::optimal;
@@ -251,8 +253,8 @@ class PartSolver {
     return true;
   }
 
-  bool repair(const std::vector<int>& part, int max_step) {
-    const RepairOptions how{.max_step = max_step, .odd_penalty = options_.odd_penalty};
+  bool repair(const std::vector<int>& part, int max_step, std::size_t max_states) {
+    const RepairOptions how{max_step, options_.odd_penalty, max_states};
     auto repaired = repair_parity(classes_, part, fixed_, value_, how);
     if (repaired) value_ = std::move(*repaired);
     return repaired.has_value();

@@ -56,7 +56,7 @@ class Builder {
     for (const EdgeId e : model_.edges()) {
       const bool is_closed = model_.start(e) == model_.end(e);
       out_.edge[e.index] =
-          out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wishes[e.index], 1.0});
+          out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wishes[e.index], wishes[e.index]});
     }
     for (const VertexId v : model_.vertices())
       out_.vertex[v.index] = out_.problem.add({-unbounded, unbounded, std::nullopt, 0.0});
@@ -148,7 +148,7 @@ class Builder {
     const auto& low = model_.loops(f)[a_is_low ? a : b].front();
     const auto& high = model_.loops(f)[a_is_low ? b : a].front();
     const double apart = (model_.point(low.start) - model_.point(high.start)).norm();
-    const int rise = out_.problem.add({1.0, unbounded, std::max(1.0, apart / options_.size), 1.0});
+    const int rise = add_rise(apart);
     demand(Kind::equality, {{rise, 1.0}, {level(high.start), -1.0}, {level(low.start), 1.0}}, 0.0,
            {name_of(f)}, name_of(f) + " must rise from one layer to another");
   }
@@ -165,10 +165,15 @@ class Builder {
     const VertexId low = model_.loops(target).front().front().start;
     const VertexId high = model_.loops(source).front().front().start;
     const double apart = model_.distance(target, model_.point(high));
-    const int rise = out_.problem.add({1.0, unbounded, std::max(1.0, apart / options_.size), 1.0});
+    const int rise = add_rise(apart);
     demand(Kind::equality, {{rise, 1.0}, {level(high), -1.0}, {level(low), 1.0}}, 0.0,
            {name_of(source), name_of(target)},
            name_of(source) + " must lie above " + name_of(target));
+  }
+
+  int add_rise(double length) {
+    const double wish = std::max(1.0, length / options_.size);
+    return out_.problem.add({1.0, unbounded, wish, wish});
   }
 
   void fix(EdgeId e, int n) {

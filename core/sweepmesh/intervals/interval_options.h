@@ -19,13 +19,15 @@ struct Bias {
 };
 
 struct IntervalOptions {
-  double size = 1.0;          ///< wished length of a mesh edge, > 0
-  std::optional<int> layers;  ///< from the lowest to the highest level, >= 1; empty: from the sizes
-  std::map<EdgeId, double> edge_size;  ///< wished length on chosen edges, > 0
-  std::map<EdgeId, int> edge_count;    ///< exact number of mesh edges on chosen edges, >= 1
-  std::map<EdgeId, Bias> edge_bias;    ///< spacing on chosen edges; others are spaced evenly
-  /// Pairs of edges that must get the same number, besides those that the linking faces tie together.
-  std::vector<std::pair<EdgeId, EdgeId>> equal_edges;
+  double size = 1.0;  ///< wished length of a mesh edge, > 0
+  std::optional<int> layers =
+      {};  ///< from the lowest to the highest level, >= 1; empty: from the sizes
+  std::map<EdgeId, double> edge_size = {};  ///< wished length on chosen edges, > 0
+  std::map<EdgeId, int> edge_count = {};    ///< exact number of mesh edges on chosen edges, >= 1
+  std::map<EdgeId, Bias> edge_bias = {};    ///< spacing on chosen edges; others are spaced evenly
+  /// Pairs of edges that must get the same number, besides those that the linking faces tie
+  /// together.
+  std::vector<std::pair<EdgeId, EdgeId>> equal_edges = {};
   /// The largest angle, in radians, by which a mesh edge should turn along a curved edge.
   double max_turn = 1.05;
   bool quad_caps = true;             ///< caps are meshed by quads: their boundaries need even sums

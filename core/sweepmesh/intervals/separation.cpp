@@ -162,7 +162,7 @@ class GapAdder {
   void add_gap(Across a, const Crossing& from, const Crossing& to) {
     if (!known_.insert({from.side, to.side}).second) return;
     const double wish = std::max(1.0, (to.at - from.at) / size_);
-    const int gap = demands_.problem.add({1.0, unbounded, wish, 1.0});
+    const int gap = demands_.problem.add({1.0, unbounded, wish, wish});
     Terms terms =
         difference(face_.position(a, from.side, demands_), face_.position(a, to.side, demands_));
     terms.insert(terms.begin(), {gap, 1.0});

@@ -1,12 +1,11 @@
 #include "sweepmesh/surface/linking_faces.h"
 
-#include <algorithm>
 #include <string>
 
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/surface/linking_quality.h"
 #include "sweepmesh/surface/submap_boundary.h"
 #include "sweepmesh/surface/submap_place.h"
+#include "sweepmesh/surface/submap_smooth.h"
 
 namespace sweepmesh {
 namespace {
@@ -29,39 +28,24 @@ PlacedRegion with_boundary(const SubmapBoundary& b, const SurfaceMesh& mesh, Fac
   return placed;
 }
 
-/// Indices of cells that are not positive.
-std::vector<long> inverted_cells(const Model& model, FaceId face, const PlacedRegion& placed) {
-  std::vector<Point3> points, normals;
-  for (std::size_t n = 0; n < placed.uv.size(); ++n) {
-    const bool is_boundary = static_cast<int>(n) < placed.region.n_boundary;
-    points.push_back(is_boundary ? placed.points[n] : model.point(face, placed.uv[n]));
-    normals.push_back(model.normal(face, placed.uv[n]));
-  }
-  std::vector<long> out;
-  for (std::size_t c = 0; c < placed.region.cells.size(); ++c) {
-    std::array<Point3, 4> corner, normal;
-    for (int j = 0; j < 4; ++j) {
-      corner[j] = points[placed.region.cells[c][j]];
-      normal[j] = normals[placed.region.cells[c][j]];
-    }
-    if (scaled_jacobian(corner, normal) <= 0.0) out.push_back(static_cast<long>(c));
-  }
-  return out;
-}
-
-void place(const Model& model, FaceId face, PlacedRegion& placed) {
+void place(const Model& model, FaceId face, PlacedRegion& placed, const Context& context) {
   if (is_rectangle(placed.region))
     place_transfinite(placed);
   else if (is_plain_tube(placed))
     place_ruled(placed);
   else
     place_harmonic(placed);
-  const auto inverted = inverted_cells(model, face, placed);
-  if (!inverted.empty())
-    throw InvalidMeshError(stage,
-                           "The structured grid of " + name_of(face) + " has " +
-                               std::to_string(inverted.size()) + " inverted quads.",
-                           {name_of(face)}, inverted);
+  const double good_jacobian = 0.7, good_stretch = 3.0;  // what a grid needs no improvement with
+  GridQuality quality = judge_grid(model, face, placed);
+  if (quality.min_scaled_jacobian < good_jacobian || quality.max_stretch > good_stretch) {
+    smooth_grid(model, face, placed, context);
+    quality = judge_grid(model, face, placed);
+  }
+  if (quality.inverted.empty()) return;
+  throw InvalidMeshError(stage,
+                         "The structured grid of " + name_of(face) + " has " +
+                             std::to_string(quality.inverted.size()) + " inverted quads.",
+                         {name_of(face)}, quality.inverted);
 }
 
 void add_to_mesh(const Model& model, FaceId face, const SubmapBoundary& boundary,
@@ -85,7 +69,7 @@ void mesh_linking_faces(const Model& model, const Scheme& scheme, const Interval
     context.report(static_cast<double>(f) / faces.size(), "Meshing " + name_of(faces[f]));
     const auto boundary = submap_boundary(model, scheme, intervals, edges, mesh, faces[f]);
     PlacedRegion placed = with_boundary(boundary, mesh, faces[f]);
-    place(model, faces[f], placed);
+    place(model, faces[f], placed, context);
     add_to_mesh(model, faces[f], boundary, placed, mesh);
   }
 }

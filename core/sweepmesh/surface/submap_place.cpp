@@ -60,37 +60,9 @@ class Rectangle {
   std::vector<int> at_;
 };
 
-/// Mean length of the boundary's steps in each column (steps along i) and row (steps along k).
-class Spacing {
- public:
-  explicit Spacing(const PlacedRegion& p) {
-    const auto& r = p.region;
-    for (const auto& cell : r.cells)
-      for (int c = 0; c < 4; ++c) {
-        const int a = cell[c], b = cell[(c + 1) % 4];
-        if (a >= r.n_boundary || b >= r.n_boundary) continue;
-        const int low = std::min(c % 2 == 0 ? r.nodes[a].i : r.nodes[a].k,
-                                 c % 2 == 0 ? r.nodes[b].i : r.nodes[b].k);
-        auto& entry = (c % 2 == 0 ? along_i_ : along_k_)[low];
-        entry.first += (p.points[a] - p.points[b]).norm();
-        entry.second += 1;
-      }
-  }
-  double of_column(int i) const { return mean(along_i_, i); }
-  double of_row(int k) const { return mean(along_k_, k); }
-
- private:
-  using Table = std::map<int, std::pair<double, int>>;
-  static double mean(const Table& t, int at) {
-    const auto found = t.find(at);
-    return found == t.end() ? 1.0 : found->second.first / found->second.second;
-  }
-  Table along_i_, along_k_;
-};
-
 /// The weighted edges of the grid, each once.
 std::map<std::pair<int, int>, double> grid_weights(const PlacedRegion& p) {
-  const Spacing spacing(p);
+  const GridSpacing spacing(p);
   std::map<std::pair<int, int>, double> weight;
   for (const auto& cell : p.region.cells)
     for (int c = 0; c < 4; ++c) {
@@ -103,6 +75,31 @@ std::map<std::pair<int, int>, double> grid_weights(const PlacedRegion& p) {
 }
 
 }  // namespace
+
+GridSpacing::GridSpacing(const PlacedRegion& p) {
+  const auto& r = p.region;
+  double sum = 0.0;
+  int n = 0;
+  for (const auto& cell : r.cells)
+    for (int c = 0; c < 4; ++c) {
+      const int a = cell[c], b = cell[(c + 1) % 4];
+      if (a >= r.n_boundary || b >= r.n_boundary) continue;
+      const GridPoint low = r.nodes[cell[0]];
+      auto& entry = c % 2 == 0 ? along_i_[low.i] : along_k_[low.k];
+      const double length = (p.points[a] - p.points[b]).norm();
+      entry.first += length;
+      entry.second += 1;
+      sum += length;
+      ++n;
+    }
+  if (n > 0) overall_ = sum / n;
+}
+
+/// Rows of a tube have no step of their own: the mean of all steps stands in.
+double GridSpacing::mean(const Table& table, int at) const {
+  const auto found = table.find(at);
+  return found == table.end() ? overall_ : found->second.first / found->second.second;
+}
 
 bool is_rectangle(const GridRegion& r) {
   const Extent e = extent_of(r);

@@ -1,6 +1,8 @@
 // Parameters (u,v) for the interior nodes of a structured region, from those of its boundary.
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "sweepmesh/base/geometry.h"
@@ -14,6 +16,20 @@ struct PlacedRegion {
   int period = 0;  ///< as in fill_region
   std::vector<Point2> uv;
   std::vector<Point3> points;  ///< boundary nodes only: used for arc lengths
+};
+
+/// Mean length of the boundary's steps in each column (steps along i) and row (steps along k).
+class GridSpacing {
+ public:
+  explicit GridSpacing(const PlacedRegion& placed);
+  double of_column(int i) const { return mean(along_i_, i); }
+  double of_row(int k) const { return mean(along_k_, k); }
+
+ private:
+  using Table = std::map<int, std::pair<double, int>>;
+  double mean(const Table& table, int at) const;
+  Table along_i_, along_k_;
+  double overall_ = 1.0;
 };
 
 /// Whether the region is one rectangle without slits, bounded by one loop.

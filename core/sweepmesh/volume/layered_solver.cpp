@@ -127,7 +127,7 @@ void Level::apply(const float* x, int column, float* y) const {
   for_layers(s_, low, high, [&](int c, int first, int last) {
     const LayerClass& l = s_.layers[c];
     const float* spring = s_.spring.data();
-    if (last > low && first < low) {  // the layer below the hull
+    if (first < low && last >= low) {  // the layer below the hull
       kernels::add_product(out + 3L * low, in + 3L * low, spring + 3L * (low - 1), l.upper[column],
                            3);
     }

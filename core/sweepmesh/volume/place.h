@@ -13,12 +13,14 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/base/geometry.h"
 #include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/placement_method.h"
 #include "sweepmesh/volume/untangle.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
 namespace sweepmesh {
 
 struct PlacementOptions {
+  PlacementMethod method = PlacementMethod::harmonic_residual;
   /// A residual of the boundary up to this part of the model's size counts as none, >= 0.
   double negligible_residual = 1e-10;
   /// Factor by which the solver reduces its own residual, in (0, 1).
@@ -35,7 +37,7 @@ struct PlacementReport {
   double largest_residual = 0.0;  ///< of the boundary against the affine motion, a length
   bool was_solved = false;        ///< false: the affine motion was enough
   int n_iterations = 0;
-  /// Elements that are not positive; none unless untangling is switched off.
+  /// Elements that are not positive; none unless untangling is switched off or the method an older one.
   std::vector<long> inverted;
   long n_inverted_before = 0;      ///< elements that had to be untangled
   long n_poor_before = 0;          ///< elements that were to be improved

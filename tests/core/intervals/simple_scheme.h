@@ -1,5 +1,5 @@
-// A scheme for tests: sources and targets given, vertex types from the nearest multiple of 90 degrees.
-// It knows nothing of the scheme stage, so intervals and grids are tested on their own.
+// A scheme for tests: sources and targets given, vertex types from the nearest multiple of 90
+// degrees. It knows nothing of the scheme stage, so intervals and grids are tested on their own.
 #pragma once
 
 #include <cmath>
@@ -44,9 +44,9 @@ inline void spread(const Model& model, FaceId f, std::size_t l, std::size_t c, D
   }
 }
 
-/// What lies across an edge gives a coedge its direction: a linking face above a cap (on a target's convex
-/// edge, on a source's concave one) has +i there, one below it -i; another linking face gives the opposite
-/// of its own coedge's.
+/// What lies across an edge gives a coedge its direction: a linking face above a cap (on a target's
+/// convex edge, on a source's concave one) has +i there, one below it -i; another linking face
+/// gives the opposite of its own coedge's.
 inline Scheme simple_scheme(const Model& model, const std::vector<FaceId>& sources,
                             const std::vector<FaceId>& targets) {
   Scheme s;
@@ -98,8 +98,8 @@ inline Scheme simple_scheme(const Model& model, const std::vector<FaceId>& sourc
       for (std::size_t c = 0; c < model.loops(f)[l].size(); ++c) {
         const EdgeId e = model.loops(f)[l][c].edge;
         if (e.is_valid())
-          s.edge_role[e.index] = is_axial(s.face[f.index].direction[l][c]) ? EdgeRole::axial
-                                                                           : EdgeRole::transverse;
+          s.edge_role[e.index] =
+              is_axial(s.face[f.index].direction[l][c]) ? EdgeRole::axial : EdgeRole::transverse;
       }
   }
   return s;
