@@ -10,10 +10,10 @@ from sweepmesh.app.remembered import remember
 from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
 from sweepmesh.gui import recorder
-from sweepmesh.gui.overlays.roles import RoleOverlay
 from sweepmesh.gui.resources import icon, load_form, tr
 from sweepmesh.gui.runner import STOP_SECONDS, Runner
 from sweepmesh.gui.taskpanels.face_lists import FaceLists
+from sweepmesh.gui.taskpanels.previews import Previews
 
 ELEMENTS = ("hex", "prism")  # what FreeCAD's FEM meshes hold
 
@@ -31,8 +31,8 @@ class SweepPanel:
         self.form = load_form("Sweep")
         self.form.setWindowTitle(tr("Sweep mesh"))
         self.form.setWindowIcon(QtGui.QIcon(icon("Sweep")))
-        self._overlay = RoleOverlay(shape)
         self._faces = FaceLists(self.form, shape)
+        self._previews = Previews(self.form, shape, self._task)
         self._assessor, self._mesher = Runner(), Runner()
         self._connect()
         self.load(faces)
@@ -77,10 +77,12 @@ class SweepPanel:
         form.elementKind.addItems([tr("Hexahedra"), tr("Prisms")])
         form.elementOrder.addItems([tr("First"), tr("Second")])
         self._faces.changed.connect(self.assess)
-        self._faces.selected.connect(self._overlay.uncover)
+        self._faces.selected.connect(self._previews.uncover)
         form.propose.clicked.connect(lambda: self._faces.set_picks([], []))
         form.schemes.activated.connect(self._choose_scheme)
-        form.showRoles.toggled.connect(self._show_overlay)
+        QtCore.QObject.connect(form.meshSize, QtCore.SIGNAL("valueChanged(double)"), self._previews.update)
+        form.layerCount.valueChanged.connect(self._previews.update)
+        form.elementKind.currentIndexChanged.connect(self._previews.update)
         form.reasons.itemSelectionChanged.connect(self._select_entities)
         form.stop.clicked.connect(self._mesher.cancel)
         self._assessor.succeeded.connect(self._show_assessment)
@@ -106,7 +108,7 @@ class SweepPanel:
     def _show_assessment(self, assessment):
         self._schemes = assessment.schemes
         self._faces.show_roles(assessment.roles)
-        self._show_overlay()
+        self._previews.set_roles(assessment.roles)
         self._show_reasons([(reason.text, reason.entities) for reason in assessment.reasons])
         is_sweepable = assessment.verdict == "sweepable"
         self.form.verdict.setText(tr("The solid can be swept.") if is_sweepable else tr("The solid cannot be swept."))
@@ -118,13 +120,9 @@ class SweepPanel:
         scheme = self._schemes[index]
         self._faces.set_picks(faces_with(scheme, "source"), faces_with(scheme, "target"))
 
-    def _show_overlay(self, *_):
-        roles = self._schemes[0] if self._schemes and self.form.showRoles.isChecked() else {}
-        self._overlay.set_roles(roles)
-
     def _show_error(self, error):
         self._schemes = []
-        self._show_overlay()
+        self._previews.set_roles({})
         self.form.verdict.setText(tr("No mesh can be made:"))
         self._show_reasons([(str(error), list(getattr(error, "entities", ())))])
 
@@ -219,7 +217,7 @@ class SweepPanel:
         self._assessor.close()
         self._mesher.close(wait=STOP_SECONDS)
         self._faces.close()
-        self._overlay.remove()
+        self._previews.close()
         QtCore.QTimer.singleShot(0, _leave_edit_and_close)
 
     def slotDeletedDocument(self, document):
