@@ -10,8 +10,8 @@ TYPE_COLOURS = {
 }
 EDGE_COLOURS = {"axial": (0.0, 0.2, 0.8), "transverse": (0.75, 0.3, 0.0)}
 _OTHER_EDGE = (0.2, 0.2, 0.2)
-_INSET = 0.12  # a letter stands this part of the way from its vertex to the middle of its face
-_DEPTH = 0.96  # of the depth buffer's range: less than 1 brings the drawing before the faces that it lies on
+_INSET = 0.04  # how far a letter stands from its vertex, as part of the shape's diagonal
+_DEPTH = 0.85  # of the depth buffer's range: less than 1 brings the drawing before the faces that it lies on
 _FONT_SIZE = 15
 _TICK = coin.SoMarkerSet.CIRCLE_FILLED_5_5
 
@@ -24,6 +24,7 @@ class PlanOverlay:
         shape = obj.Shape.copy()
         shape.Placement = obj.Placement.inverse().multiply(shape.Placement)
         self._elements = _by_name(shape)
+        self._inset = _INSET * shape.BoundBox.DiagonalLength
         self._top = coin.SoSeparator()
         style, light, depth = coin.SoPickStyle(), coin.SoLightModel(), coin.SoDepthBuffer()
         style.style = coin.SoPickStyle.UNPICKABLE
@@ -38,7 +39,7 @@ class PlanOverlay:
         """Draw the letters of [("Face3", "Vertex7", "end"), ...]; none clear them."""
         self._types.removeAllChildren()
         for face, vertex, kind in corners:
-            point = _beside(self._elements[face], self._elements[vertex].Point)
+            point = _beside(self._elements[face], self._elements[vertex].Point, self._inset)
             self._types.addChild(_text(point, LETTERS[kind], TYPE_COLOURS[kind]))
 
     def show_intervals(self, intervals, roles):
@@ -64,9 +65,10 @@ def _by_name(shape):
     return named
 
 
-def _beside(face, point):
-    """A point of the face's surface a little way from `point` towards the middle."""
-    aim = point + (face.CenterOfMass - point) * _INSET
+def _beside(face, point, inset):
+    """A point of the face's surface beside `point`, towards the middle but not beyond half the way."""
+    way = face.CenterOfMass - point
+    aim = point + way * min(0.5, inset / max(way.Length, inset))
     return face.Surface.value(*face.Surface.parameter(aim))
 
 
