@@ -1,5 +1,6 @@
 #include "sweepmesh/imprint/mean_value_field.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace sweepmesh {
@@ -27,6 +28,13 @@ Point2 MeanValueField::operator()(const Point2& p) const {
     sum += tangent / ra * s.to[0] + tangent / rb * s.to[1];
   }
   return least < tolerance_ || weight == 0.0 ? at_nearest : Point2(sum / weight);
+}
+
+double MeanValueField::distance(const Point2& p) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Segment& s : segments_)
+    least = std::min(least, nearest({s.from[0], s.from[1]}, p).distance);
+  return least;
 }
 
 double MeanValueField::double_area() const {

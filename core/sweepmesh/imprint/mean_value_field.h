@@ -22,6 +22,9 @@ class MeanValueField {
   /// Without any boundary: the identity. Linear in the number of segments.
   Point2 operator()(const Point2& p) const;
 
+  /// Distance of a point from the boundary.
+  double distance(const Point2& p) const;
+
   /// Twice the area of the domain, negative for the outside of one.
   double double_area() const;
 

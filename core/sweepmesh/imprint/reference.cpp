@@ -113,8 +113,9 @@ std::vector<const ReferenceCurve*> by_edge(const Walls& walls, const Reference& 
 
 }  // namespace
 
-std::optional<Point3> mean_direction(const Model& model, const Scheme& scheme,
-                                     const std::vector<int>& level) {
+std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
+                                      const std::vector<int>& level) {
+  constexpr std::size_t most = 10;
   std::vector<Point3> chords;
   Point3 sum = Point3::Zero();
   for (const EdgeId e : model.edges()) {
@@ -124,11 +125,19 @@ std::optional<Point3> mean_direction(const Model& model, const Scheme& scheme,
     chords.push_back(level[b.index] >= level[a.index] ? chord : Point3(-chord));
     sum += chords.back();
   }
-  if (sum.norm() <= model.tolerances().point) return std::nullopt;
-  const Point3 d = sum.normalized();
+  std::vector<Point3> out;
+  const auto add = [&](const Point3& d) {
+    const bool is_new = std::none_of(out.begin(), out.end(), [&](const Point3& other) {
+      return other.cross(d).norm() < model.tolerances().angle;
+    });
+    const bool rises = std::all_of(chords.begin(), chords.end(),
+                                   [&](const Point3& c) { return c.dot(d) > 0.0; });
+    if (is_new && rises && out.size() < most) out.push_back(d);
+  };
+  if (sum.norm() > model.tolerances().point) add(sum.normalized());
   for (const Point3& c : chords)
-    if (c.dot(d) <= 0.0) return std::nullopt;
-  return d;
+    if (c.norm() > model.tolerances().point) add(c.normalized());
+  return out;
 }
 
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,

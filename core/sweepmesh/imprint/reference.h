@@ -5,7 +5,6 @@
 // that direction. The direction need not be an axis, and caps may be inclined or curved.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "sweepmesh/base/context.h"
@@ -29,10 +28,10 @@ struct Reference {
   double coincidence = 0.0;    ///< curves nearer than this are the same one in the CAD model
 };
 
-/// The mean direction of the axial edges, from their lower to their upper ends; empty where that
-/// does not grow along every one of them.
-std::optional<Point3> mean_direction(const Model& model, const Scheme& scheme,
-                                     const std::vector<int>& level);
+/// Directions along which every axial edge rises from its lower to its upper end: their mean, and
+/// those of single edges, no two nearly parallel, at most ten.
+std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
+                                      const std::vector<int>& level);
 
 /// All curves by projection along `direction` (seen against it, so that a source's normal points to
 /// the viewer). `coincidence` > 0 also bounds the chord error of the curves (a quarter of it).

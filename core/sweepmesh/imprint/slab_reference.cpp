@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sweepmesh/imprint/mean_value_field.h"
+#include "sweepmesh/imprint/section_map.h"
 
 namespace sweepmesh {
 namespace {
@@ -12,11 +13,13 @@ namespace {
 class SlabWalker {
  public:
   SlabWalker(const Model& model, const Scheme& scheme, const Walls& walls, const Point3& direction,
-             const Reference& seen)
+             const Reference& seen, double size, const Context& context)
       : model_(model),
         walls_(walls),
         direction_(direction),
         seen_(seen),
+        size_(size),
+        context_(context),
         panels_(find_panels(model, scheme, walls, seen)),
         in_r_(panels_.size()),
         out_(seen) {}
@@ -75,44 +78,127 @@ class SlabWalker {
 
   /// Brings the curves of a level to R by the outline of the slab between low and high.
   void carry(int low, int high, int level) {
+    context_.check("imprint");
     MeanValueField field(seen_.coincidence);
+    std::vector<OutlinePart> parts;
     for (std::size_t p = 0; p < panels_.size(); ++p)
-      if (panels_[p].low <= low && high <= panels_[p].high)
-        field.add(seen_at(panels_[p], level), in_r_[p]);
+      if (panels_[p].low <= low && high <= panels_[p].high) {
+        parts.push_back({seen_at(panels_[p], level), in_r_[p]});
+        field.add(parts.back().from, parts.back().to);
+      }
+    std::vector<ReferenceCurve*> curves;
     for (ReferenceCurve& c : out_.curves)
-      if (walls_.level[c.edge.index] == level) carry(field, low, high, level, c);
-    for (std::size_t p = 0; p < panels_.size(); ++p) {
-      const bool begins = level == high ? panels_[p].low == level : panels_[p].high == level;
-      if (!begins) continue;
-      in_r_[p] = seen_at(panels_[p], level);
-      for (Point2& x : in_r_[p]) x = field(x);
+      if (walls_.level[c.edge.index] == level) {
+        refine(parts, c);
+        curves.push_back(&c);
+      }
+    move(parts, field, curves);
+    for (std::size_t p = 0; p < panels_.size(); ++p)
+      if (level == high ? panels_[p].low == level : panels_[p].high == level)
+        in_r_[p] = along_edges(panels_[p], level);
+  }
+
+  /// Adds points where the outline has some, so that both bend alike in R.
+  void refine(const std::vector<OutlinePart>& parts, ReferenceCurve& c) const {
+    std::set<double> positions;
+    for (const PolylinePoint& p : resampled(c.points, size_ / 2)) positions.insert(p.position);
+    for (const OutlinePart& part : parts)
+      for (const Point2& x : part.from) {
+        const PolylinePoint foot = nearest(c.points, x);
+        if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
+      }
+    ReferenceCurve fine{c.edge, {}, {}};
+    for (const double at : positions) {
+      const std::size_t i = std::min(static_cast<std::size_t>(at), c.points.size() - 2);
+      fine.points.push_back(at_position(c.points, at).point);
+      fine.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
+    }
+    c = std::move(fine);
+  }
+
+  /// Points on the outline, and outside of it, move with the field; those inside by the section's map.
+  void move(const std::vector<OutlinePart>& parts, const MeanValueField& field,
+            const std::vector<ReferenceCurve*>& curves) {
+    const auto loops = joined_loops(parts, 2 * seen_.coincidence);
+    std::map<std::pair<double, double>, Point2> image;
+    std::vector<Point2> inside;
+    bool is_identity = true;
+    for (const OutlinePart& part : parts)
+      for (std::size_t i = 0; i < part.from.size(); ++i)
+        is_identity = is_identity && (part.from[i] - part.to[i]).norm() <= seen_.coincidence;
+    for (const ReferenceCurve* c : curves)
+      for (const Point2& p : c->points) {
+        const auto [place, is_new] = image.try_emplace({p.x(), p.y()}, p);
+        if (!is_new) continue;
+        if (!is_identity && field.distance(p) > seen_.coincidence && is_inside(loops, p))
+          inside.push_back(p);
+        else
+          place->second = field(p);
+      }
+    if (!inside.empty()) {
+      const std::vector<Point2> carried = carried_or_throw(loops, inside);
+      for (std::size_t i = 0; i < inside.size(); ++i)
+        image[{inside[i].x(), inside[i].y()}] = carried[i];
+    }
+    for (ReferenceCurve* c : curves)
+      for (Point2& p : c->points) p = image.at({p.x(), p.y()});
+  }
+
+  std::vector<Point2> carried_or_throw(const std::vector<OutlinePart>& loops,
+                                       const std::vector<Point2>& inside) const {
+    try {
+      return carried_inside(loops, inside, size_, context_);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      throw ImprintError(ImprintFailure::unreachable,
+                         std::string("The curves of one level cannot be carried to another: ") +
+                             e.what(),
+                         e.entities());
     }
   }
 
-  void carry(const MeanValueField& field, int low, int high, int level, ReferenceCurve& c) const {
-    std::set<double> positions;
-    for (std::size_t i = 0; i < c.points.size(); ++i) positions.insert(static_cast<double>(i));
-    // Where the linking faces' curves bend in R, the edge over them must bend too.
-    for (const Panel& p : panels_)
-      if (p.low <= low && high <= p.high)
-        for (const Point2& x : seen_at(p, level)) {
-          const PolylinePoint foot = nearest(c.points, x);
-          if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
-        }
-    ReferenceCurve in_r{c.edge, {}, {}};
-    for (const double at : positions) {
-      const std::size_t i = std::min(static_cast<std::size_t>(at), c.points.size() - 2);
-      in_r.points.push_back(field(at_position(c.points, at).point));
-      in_r.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
+  /// R of a panel that begins at a level whose edges are known: read off these edges.
+  Polyline along_edges(const Panel& panel, int level) const {
+    Polyline out;
+    for (const Point2& x : seen_at(panel, level)) {
+      double least = std::numeric_limits<double>::infinity();
+      Point2 best = x;
+      const auto& edges = (level == panel.low ? walls_.bottoms : walls_.tops)[panel.face.index];
+      for (std::size_t c = 0; c < out_.curves.size(); ++c) {
+        const EdgeId e = out_.curves[c].edge;
+        if (walls_.level[e.index] != level || std::find(edges.begin(), edges.end(), e) == edges.end())
+          continue;
+        // Both lines have the same parameters: find the place on the one, take it from the other.
+        const ReferenceCurve& before = seen_.curves[c];
+        const PolylinePoint foot = nearest(before.points, x);
+        if (foot.distance >= least) continue;
+        least = foot.distance;
+        best = at_parameter(out_.curves[c], parameter_at(before, foot.position));
+      }
+      out.push_back(best);
     }
-    if (c.points.front() == c.points.back()) in_r.points.back() = in_r.points.front();
-    c = std::move(in_r);
+    return out;
+  }
+
+  static double parameter_at(const ReferenceCurve& c, double position) {
+    const std::size_t i = std::min(static_cast<std::size_t>(position), c.t.size() - 2);
+    return c.t[i] + (position - i) * (c.t[i + 1] - c.t[i]);
+  }
+
+  static Point2 at_parameter(const ReferenceCurve& c, double t) {
+    const auto upper = std::upper_bound(c.t.begin() + 1, c.t.end() - 1, t);
+    const std::size_t i = upper - c.t.begin() - 1;
+    const double f = std::clamp((t - c.t[i]) / (c.t[i + 1] - c.t[i]), 0.0, 1.0);
+    return c.points[i] + f * (c.points[i + 1] - c.points[i]);
   }
 
   const Model& model_;
   const Walls& walls_;
   const Point3 direction_;
   const Reference& seen_;
+  const double size_;
+  const Context& context_;
   const std::vector<Panel> panels_;
   std::vector<Polyline> in_r_;  ///< by panel, once known
   std::map<int, double> height_;
@@ -122,8 +208,9 @@ class SlabWalker {
 }  // namespace
 
 Reference slab_reference(const Model& model, const Scheme& scheme, const Walls& walls,
-                         const Point3& direction, const Reference& seen) {
-  return SlabWalker(model, scheme, walls, direction, seen).run();
+                         const Point3& direction, const Reference& seen, double size,
+                         const Context& context) {
+  return SlabWalker(model, scheme, walls, direction, seen, size, context).run();
 }
 
 }  // namespace sweepmesh
