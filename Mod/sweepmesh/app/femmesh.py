@@ -17,7 +17,7 @@ from sweepmesh.engine.errors import input_error
 from sweepmesh.engine.numbering import TO_SMESH, VTK_TYPES
 from sweepmesh.engine.writers.vtu import write_vtu
 
-_FACES = {3: 5, 4: 9, 6: 22, 8: 23}
+_FACE_TYPES = {3: 5, 4: 9, 6: 22, 8: 23}  # nodes per element -> VTK's number of the kind
 
 
 def to_femmesh(result):
@@ -54,12 +54,12 @@ def _face_blocks(result):
     blocks, block_numbers = [], []
     for number in np.unique(numbers):
         for size in np.unique(sizes[numbers == number]):
-            if size not in _FACES:
+            if size not in _FACE_TYPES:
                 sentence = f"FreeCAD's FEM meshes have no face element of {size} nodes, as there is on Face{number}."
                 raise input_error(sentence, "write", [f"Face{number}"])
             rows = starts[(numbers == number) & (sizes == size)]
             nodes = np.asarray(result.boundary_nodes)[rows[:, None] + np.arange(size)]
-            blocks.append((_FACES[size], nodes))
+            blocks.append((_FACE_TYPES[size], nodes))
             block_numbers.append(int(number))
     return blocks, block_numbers
 
