@@ -235,7 +235,7 @@ class PartSolver {
     const bool has_parity = std::any_of(part.begin(), part.end(),
                                         [&](int d) { return is_parity(classes_.demands[d].kind); });
     if (!solve_program(part, false)) return false;
-    const std::size_t few = 500, many = 20000;  // states: the first decides most problems at once
+    const std::size_t few = 500, many = 4000;  // states: the first decides most problems at once
     return !has_parity || repair(part, 1, few) || repair(part, 1, many) || repair(part, 2, many) ||
            solve_program(part, true);
   }
