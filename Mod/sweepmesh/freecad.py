@@ -1,5 +1,6 @@
 """Finding FreeCAD from an ordinary Python."""
 
+import contextlib
 import glob
 import os
 import sys
@@ -29,3 +30,19 @@ def import_freecad():
     except ImportError as error:
         raise SweepMeshError("FreeCAD's Python modules are not installed (Debian: apt install freecad).") from error
     return FreeCAD
+
+
+@contextlib.contextmanager
+def muted():
+    """Keeps what OpenCASCADE and FreeCAD print in the block away from standard output."""
+    sys.stdout.flush()
+    kept = os.dup(1)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 1)
+    try:
+        yield
+    finally:
+        sys.stdout.flush()
+        os.dup2(kept, 1)
+        os.close(kept)
+        os.close(nowhere)

@@ -102,3 +102,5 @@ _WRITERS = {
 }
 FORMATS = [".vtu", ".inp", ".unv", ".med", ".FCStd"]
 """Suffixes that `write` knows."""
+OWN_FORMATS = {".vtu", ".inp"}
+"""Those that need no FreeCAD."""

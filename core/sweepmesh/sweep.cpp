@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "sweepmesh/boundary.h"
+#include "sweepmesh/imprint/imprint_caps.h"
+#include "sweepmesh/imprinted_boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/wishes.h"
 #include "sweepmesh/second_order_on_model.h"
@@ -46,6 +48,8 @@ class StageClock {
   throw InputError("options", sentence, std::move(entities));
 }
 
+}  // namespace
+
 void check_options(const SweepOptions& options) {
   if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
     refuse("The element size must be a positive number.");
@@ -72,11 +76,15 @@ IntervalOptions interval_options(const SweepOptions& options, double size) {
   return out;
 }
 
+namespace {
+
 std::string in_millions(double count) {
   char text[32];
   std::snprintf(text, sizeof text, count < 1e5 ? "%.0f" : "%.3g", count);
   return text;
 }
+
+}  // namespace
 
 void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
   IntervalOptions intervals = interval_options(options, size);
@@ -87,6 +95,44 @@ void refuse_explosion(const Model& model, const SweepOptions& options, double si
          " elements are to be expected, more than the limit of " +
          in_millions(static_cast<double>(options.max_elements)) +
          "; choose a larger size, or lift the limit with --force (max_elements in Python).");
+}
+
+bool is_one_to_one(const Scheme& scheme) {
+  return scheme.faces_with(FaceRole::source).size() == 1 &&
+         scheme.faces_with(FaceRole::target).size() == 1;
+}
+
+namespace {
+
+BoundaryMesh boundary_of_one(const Model& model, const Scheme& scheme,
+                             const IntervalOptions& options, CellKind kind, StageClock& clock,
+                             Context& context, SweepResult& result) {
+  context.report(0.1, "Choosing intervals");
+  result.intervals =
+      clock.run("intervals", [&] { return assign_intervals(model, scheme, options, context); });
+  context.report(0.2, "Meshing the surface");
+  return clock.run("surface", [&] {
+    return mesh_boundary(model, scheme, result.intervals, options, kind, context);
+  });
+}
+
+BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
+                              const IntervalOptions& options, CellKind kind, StageClock& clock,
+                              Context& context, SweepResult& result) {
+  context.report(0.05, "Imprinting");
+  const Imprint imprint = clock.run("imprint", [&] {
+    ImprintOptions how;
+    how.size = options.size;
+    return imprint_caps(model, scheme, how, context);
+  });
+  context.report(0.1, "Choosing intervals");
+  const ImprintCounts counts = clock.run(
+      "intervals", [&] { return count_imprint(model, scheme, imprint, options, context); });
+  result.intervals = counts.intervals;
+  context.report(0.2, "Meshing the surface");
+  return clock.run("surface", [&] {
+    return mesh_imprinted_boundary(model, scheme, imprint, counts, options, kind, context);
+  });
 }
 
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
@@ -125,18 +171,13 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
   if (!result.assessment.is_sweepable()) return result;
   const Scheme& scheme = result.assessment.schemes.front();
 
-  context.report(0.1, "Choosing intervals");
   const IntervalOptions intervals = interval_options(options, result.size);
-  result.intervals =
-      clock.run("intervals", [&] { return assign_intervals(model, scheme, intervals, context); });
+  const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
+  const BoundaryMesh boundary =
+      is_one_to_one(scheme) ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
+                            : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
   if (!result.intervals.is_optimal)
     result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
-
-  context.report(0.2, "Meshing the surface");
-  const BoundaryMesh boundary = clock.run("surface", [&] {
-    const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
-    return mesh_boundary(model, scheme, result.intervals, intervals, kind, context);
-  });
 
   context.report(0.6, "Placing interior nodes");
   result.mesh = clock.run("place", [&] {

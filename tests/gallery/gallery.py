@@ -9,6 +9,8 @@ import pathlib
 import subprocess
 import sys
 
+from sweepmesh.freecad import import_freecad
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 FOLDER = ROOT / "build" / "gallery"
@@ -33,8 +35,8 @@ class Case:
 
     @property
     def genus(self):
-        """Of each shell of the solid."""
-        return self.entry["genus"]
+        """Of each shell of the solid; None for a shape of several solids, of which the first is meshed."""
+        return self.entry["genus"] if self.entry["solids"] == 1 else None
 
     @property
     def label(self):
@@ -76,6 +78,7 @@ def find_judge():
     path = shared / "judge" / "judge_mesh.py"
     if not path.is_file():
         return None
+    import_freecad()  # the judge needs it; its modules crash when another of them comes first
     spec = importlib.util.spec_from_file_location("judge_mesh", path)
     module = importlib.util.module_from_spec(spec)
     sys.modules["judge_mesh"] = module

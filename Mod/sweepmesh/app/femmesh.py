@@ -13,18 +13,11 @@ import tempfile
 import Fem
 import numpy as np
 
-from sweepmesh.app.vtu import write_vtu
 from sweepmesh.engine.errors import input_error
-from sweepmesh.engine.numbering import HEXAHEDRON_TO_SMESH, PRISM_TO_SMESH
+from sweepmesh.engine.numbering import TO_SMESH, VTK_TYPES
+from sweepmesh.engine.writers.vtu import write_vtu
 
-# nodes per element -> (VTK's number of the kind, FreeCAD's node k is the engine's node order[k])
-_VOLUMES = {
-    8: (12, HEXAHEDRON_TO_SMESH),
-    20: (25, HEXAHEDRON_TO_SMESH + [11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]),
-    6: (13, PRISM_TO_SMESH),
-    15: (26, PRISM_TO_SMESH + [8, 7, 6, 11, 10, 9, 12, 14, 13]),
-}
-_FACES = {3: 5, 4: 9, 6: 22, 8: 23}
+_FACE_TYPES = {3: 5, 4: 9, 6: 22, 8: 23}  # nodes per element -> VTK's number of the kind
 
 
 def to_femmesh(result):
@@ -48,8 +41,8 @@ def _volume_blocks(result):
     blocks = []
     for elements in (result.hexahedra, result.prisms):
         if len(elements):
-            cell_type, order = _VOLUMES[elements.shape[1]]
-            blocks.append((cell_type, elements[:, order]))
+            n_nodes = elements.shape[1]
+            blocks.append((VTK_TYPES[n_nodes], elements[:, TO_SMESH[n_nodes]]))
     return blocks
 
 
@@ -61,12 +54,12 @@ def _face_blocks(result):
     blocks, block_numbers = [], []
     for number in np.unique(numbers):
         for size in np.unique(sizes[numbers == number]):
-            if size not in _FACES:
+            if size not in _FACE_TYPES:
                 sentence = f"FreeCAD's FEM meshes have no face element of {size} nodes, as there is on Face{number}."
                 raise input_error(sentence, "write", [f"Face{number}"])
             rows = starts[(numbers == number) & (sizes == size)]
             nodes = np.asarray(result.boundary_nodes)[rows[:, None] + np.arange(size)]
-            blocks.append((_FACES[size], nodes))
+            blocks.append((_FACE_TYPES[size], nodes))
             block_numbers.append(int(number))
     return blocks, block_numbers
 

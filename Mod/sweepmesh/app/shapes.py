@@ -18,17 +18,25 @@ def shape_of(source):
 
 
 def brep_of(source):
-    """Return the BREP text of a document object or a shape, faces numbered as FreeCAD numbers them."""
-    return shape_of(source).exportBrepToString()
+    """Return the BREP text of a document object or a shape, faces numbered as FreeCAD numbers them.
+
+    Raises InputError where there is not exactly one solid to mesh.
+    """
+    shape = shape_of(source)
+    if not shape.Solids:
+        raise input_error("The shape holds no solid: only solids can be swept.")
+    if len(shape.Solids) > 1:
+        raise input_error(f"The shape holds {len(shape.Solids)} solids: take them apart and mesh them one by one.")
+    return shape.exportBrepToString()
 
 
 def has_solid(source):
-    """Is this an object or a shape that holds at least one solid?"""
+    """Is this an object or a shape that holds a solid?"""
     shape = source if isinstance(source, Part.Shape) else getattr(source, "Shape", None)
     return isinstance(shape, Part.Shape) and not shape.isNull() and len(shape.Solids) > 0
 
 
-def proposed_size(source, n_elements=3000):
+def proposed_size(source, n_elements):
     """Return an edge length, rounded to two digits, that makes about `n_elements` elements of the shape."""
     volume = abs(shape_of(source).Volume)
     return float(f"{(volume / n_elements) ** (1 / 3):.2g}")

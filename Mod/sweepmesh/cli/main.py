@@ -10,6 +10,7 @@ from sweepmesh.cli import report as reports
 from sweepmesh.cli import shapes
 from sweepmesh.cli.arguments import make_parser
 from sweepmesh.cli.progress import progress_bar
+from sweepmesh.cli.writing import write_all
 
 DONE, FAILED, UNSWEEPABLE = 0, 1, 2
 """Exit statuses."""
@@ -20,8 +21,13 @@ NO_LIMIT = 2**31 - 1
 
 def main(arguments=None):
     """Runs the command line and ends the process with its exit status."""
+    end_with(lambda: _run(make_parser().parse_args(arguments)))
+
+
+def end_with(work):
+    """Ends the process with the status that `work` returns; whatever it raises becomes a sentence and FAILED."""
     try:
-        status = _run(make_parser().parse_args(arguments))
+        status = work()
     except engine.SweepMeshError as error:
         status = _fail(str(error))
     except KeyboardInterrupt:
@@ -43,6 +49,8 @@ def _run(arguments):
     try:
         _work(arguments, state)
     except engine.SweepMeshError as error:
+        if not arguments.force:
+            error.args = (str(error).replace("lift the limit", "lift the limit with --force"),)
         _write_report(arguments.report, error=error, **state)
         raise
     state["seconds"]["total"] = time.perf_counter() - started
@@ -60,7 +68,7 @@ def _work(arguments, state):
     seconds = state["seconds"]
     with progress_bar(not arguments.quiet) as progress:
         with _timed(seconds, "read"):
-            shape = shapes.read_shape(arguments.shape, arguments.object, arguments.solid)
+            shape = shapes.read_shape(arguments.shape, arguments.object)
         for warning in shape.warnings:
             _warn(warning)
         options = make_options(arguments, shape.model)
@@ -74,7 +82,7 @@ def _work(arguments, state):
         _warn(warning)
     with _timed(seconds, "write"):
         if result.assessment.is_sweepable:
-            _write_files(arguments.out, result, shape, options)
+            write_all(arguments.out, result, shape, options)
 
 
 def make_options(arguments, model):
@@ -85,18 +93,12 @@ def make_options(arguments, model):
         element=arguments.element,
         order=arguments.order,
         threads=arguments.threads,
+        solid=arguments.solid,
         max_elements=NO_LIMIT if arguments.force else None,
         sources=[shapes.face_number(model, face) for face in arguments.source],
         targets=[shapes.face_number(model, face) for face in arguments.target],
         pairs=[shapes.face_pair(model, pair) for pair in arguments.pair],
     )
-
-
-def _write_files(paths, result, shape, options):
-    for path in paths:
-        is_document = path.lower().endswith(".fcstd")
-        made = shapes.document_object(shape) if is_document else None
-        output.write(result, path, made, options)
 
 
 def _write_report(path, **state):

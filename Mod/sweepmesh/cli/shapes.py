@@ -1,15 +1,14 @@
 """From SHAPE on the command line to a Model, and from FACE to the number of a face."""
 
-import contextlib
 import dataclasses
-import os
 import pathlib
 import re
-from typing import Any, List
+from typing import List, Optional
 
-from sweepmesh.engine import Model, read
+from sweepmesh.engine import Model, face_at, read
 from sweepmesh.engine.errors import input_error
-from sweepmesh.freecad import import_freecad
+from sweepmesh.engine.model import as_model
+from sweepmesh.freecad import import_freecad, muted
 
 MESH_SUFFIXES = {".stl", ".obj", ".ply", ".off", ".3mf", ".amf", ".vtk", ".vtu", ".msh", ".inp", ".unv", ".med"}
 
@@ -18,62 +17,52 @@ POINT_TOLERANCE = 1e-3
 
 
 @dataclasses.dataclass
+class Source:
+    """Where a shape comes from."""
+
+    path: pathlib.Path
+    object_name: Optional[str] = None
+    """Of the object in an .FCStd file."""
+
+
+@dataclasses.dataclass
 class Shape:
     """A shape that was read."""
 
     model: Model
-    path: pathlib.Path
-    document_object: Any = None
-    """FreeCAD's object where the shape came from a document."""
+    source: Source
     warnings: List[str] = dataclasses.field(default_factory=list)
 
 
-def read_shape(path, object_name=None, solid=1):
-    """Reads SHAPE; `solid` counts from 1. Raises InputError."""
+def read_shape(path, object_name=None):
+    """Reads SHAPE. Raises InputError."""
     path = pathlib.Path(path)
-    if solid < 1:
-        raise input_error("Solids are counted from 1: --solid 1 is the first.")
     if path.suffix.lower() in MESH_SUFFIXES:
         raise input_error(f"{path} is a mesh, not a CAD solid: give a STEP, IGES, BREP or FCStd file.")
     is_document = path.suffix.lower() == ".fcstd"
     if object_name and not is_document:
         raise input_error(f"--object names an object of an .FCStd file, which {path} is not.")
-    with _muted():
+    with muted():
         if is_document:
-            shape = _read_document(path, object_name, solid)
-        else:
-            shape = Shape(read(path, solid - 1), path)
-    if shape.model.n_solids > 1:
-        shape.warnings.append(f"{path} has {shape.model.n_solids} solids; solid {solid} is used.")
-    return shape
+            return _read_document(path, object_name)
+        return Shape(read(path), Source(path))
 
 
-@contextlib.contextmanager
-def _muted():
-    """Keeps what OpenCASCADE and FreeCAD print while they read away from standard output."""
-    kept = os.dup(1)
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 1)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 1)
-        os.close(kept)
-        os.close(nowhere)
-
-
-def _read_document(path, object_name, solid):
+def _read_document(path, object_name):
     if not path.is_file():
         raise input_error(f"There is no file {path}.")
+    chosen, warnings = _choose_object(_open_document(path), path, object_name)
+    model = as_model(chosen.Shape.exportBrepToString())
+    return Shape(model, Source(path, chosen.Name), warnings)
+
+
+def _open_document(path):
     freecad = import_freecad()
     try:
-        document = freecad.openDocument(str(path), True)
+        return freecad.openDocument(str(path), True)
     except Exception as error:  # FreeCAD raises various types for a broken file
         reason = " ".join(str(error).split()).rstrip(" .")
         raise input_error(f"{path} cannot be read as a FreeCAD document: {reason}.") from error
-    chosen, warnings = _choose_object(document, path, object_name)
-    model = Model.from_brep(chosen.Shape.exportBrepToString(), solid - 1)
-    return Shape(model, path, chosen, warnings)
 
 
 def _choose_object(document, path, name):
@@ -117,15 +106,15 @@ def face_number(model, text):
         point = []
     if len(point) != 3 or any(abs(part) == float("inf") or part != part for part in point):
         raise input_error(f"'{text}' names no face: give a name as Face7 or a point as 1.5,0,20.")
-    face = model.nearest_face(point)
-    distance = model.distance_to_face(face, point)
+    face = face_at(model, point)
+    distance = model.distance_to_face(face - 1, point)
     if distance > POINT_TOLERANCE * model.model_size:
         raise input_error(
-            f"The point {text} lies on no face: the nearest, Face{face + 1}, is {distance:.4g} away.",
+            f"The point {text} lies on no face: the nearest, Face{face}, is {distance:.4g} away.",
             "assess",
-            [f"Face{face + 1}"],
+            [f"Face{face}"],
         )
-    return face + 1
+    return face
 
 
 def face_pair(model, text):
@@ -136,15 +125,15 @@ def face_pair(model, text):
     return face_number(model, parts[0]), face_number(model, parts[1])
 
 
-def document_object(shape):
-    """FreeCAD's object for a shape; one in a new document where the shape came from another file."""
-    if shape.document_object is not None:
-        return shape.document_object
+def document_object(source):
+    """FreeCAD's object for a Source: in its document, or in a new one where it comes from another file."""
+    if source.object_name:
+        return _open_document(source.path).getObject(source.object_name)
     freecad = import_freecad()
     import Part
 
     document = freecad.newDocument("SweepMesh", hidden=True, temp=True)
-    made = document.addObject("Part::Feature", re.sub(r"\W", "_", shape.path.stem))
-    made.Label = shape.path.stem
-    made.Shape = Part.read(str(shape.path))
+    made = document.addObject("Part::Feature", re.sub(r"\W", "_", source.path.stem))
+    made.Label = source.path.stem
+    made.Shape = Part.read(str(source.path))
     return made

@@ -2,7 +2,6 @@
 
 import contextlib
 import pathlib
-import sys
 import tempfile
 import time
 
@@ -11,26 +10,28 @@ import numpy
 from sweepmesh import Options, SweepMeshError, engine, output
 from sweepmesh.cli import report as reports
 from sweepmesh.cli import shapes
+from sweepmesh.cli.main import DONE, end_with
 from sweepmesh.cli.progress import progress_bar
 from sweepmesh.demo import analysis as fem
 from sweepmesh.demo import picture
 from sweepmesh.engine.writers import vtu
-from sweepmesh.freecad import import_freecad
+from sweepmesh.freecad import import_freecad, muted
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PART = ROOT / "Resources" / "examples" / "manifold_elbow.step"
-SIZE, FORCE = 2.2, 2000
+SIZE, FORCE = 2.5, 2000
 FIXED, LOADED = (-25.0, 0.0, -60.0), (60.0, 0.0, 25.0)
 """Points on the two ends of the part."""
 
 
 def main(folder):
-    """Does it all; files go to `folder`."""
+    """Does it all; files go to `folder`. Returns the exit status."""
     folder.mkdir(exist_ok=True)
     files = {suffix: folder / (PART.stem + suffix) for suffix in (".vtu", ".inp", ".FCStd", ".png")}
     seconds = {}
     print(f"{PART.name}: a 90 degree elbow with three channels, swept from end to end\n")
-    shape = shapes.read_shape(PART)
+    with _timed(seconds, "read"):
+        shape = shapes.read_shape(PART)
     options = Options(size=SIZE)
     with progress_bar(True) as progress:
         result = engine.mesh(shape.model, options, progress)
@@ -51,16 +52,17 @@ def main(folder):
         picture.draw(files[".vtu"], files[".png"])
     for path in files.values():
         print(f"{path.relative_to(ROOT)}  {path.stat().st_size / 1e6:.2f} MB")
+    return DONE
 
 
 def _analyse(shape, options, result, path):
     """FreeCAD's document with part, mesh and solved analysis, saved as `path`; displacements and stresses."""
     import_freecad()
-    part = shapes.document_object(shape)
+    part = shapes.document_object(shape.source)
     ends = [f"Face{engine.face_at(shape.model, point)}" for point in (FIXED, LOADED)]
     analysis = fem.make_analysis(part, *ends, FORCE, _straight_edge(part))
     output.add_sweep_mesh(result, part, options, analysis)
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, muted():
         solved = fem.solve(analysis, folder)
     with output.replacing(path) as temporary:
         part.Document.saveCopy(str(temporary))
@@ -88,7 +90,4 @@ def _timed(seconds, stage):
 
 
 if __name__ == "__main__":
-    try:
-        main(ROOT / "out")
-    except SweepMeshError as error:
-        sys.exit(f"sweepmesh: {error}")
+    end_with(lambda: main(ROOT / "out"))

@@ -13,7 +13,7 @@ import subprocess
 import numpy
 
 SIZE = (2000, 1000)
-CUT_AWAY = 0.4
+CUT_AWAY = 0.5
 """Fraction of the elements that are taken away on the left, those nearest to the viewer's upper right."""
 
 
@@ -37,7 +37,7 @@ def display():
         server.wait()
 
 
-def draw(mesh_path, picture_path, view=(0.55, 0.45, 1.0), up=(0.0, 1.0, 0.0)):
+def draw(mesh_path, picture_path, view=(0.42, 0.62, 0.85), up=(0.0, 1.0, 0.0)):
     """Draws a .vtu file into a PNG; `view` is the direction from the part to the eye."""
     import vtk
 
@@ -164,8 +164,8 @@ def _actor(vtk, mapper, edge_width):
     actor.GetProperty().SetEdgeColor(0.12, 0.15, 0.19)
     actor.GetProperty().SetLineWidth(edge_width)
     actor.GetProperty().SetInterpolationToFlat()
-    actor.GetProperty().SetAmbient(0.25)
-    actor.GetProperty().SetDiffuse(0.8)
+    actor.GetProperty().SetAmbient(0.38)
+    actor.GetProperty().SetDiffuse(0.72)
     actor.GetProperty().SetSpecular(0.08)
     return actor
 
@@ -200,8 +200,8 @@ def _add_view(vtk, window, span, content, view, up):
     camera.SetViewUp(*up)
     camera.SetViewAngle(20)
     renderer.ResetCamera()
-    camera.Zoom(1.2)
-    camera.SetWindowCenter(0.0, -0.09)
+    camera.Zoom(1.13)
+    camera.SetWindowCenter(0.0, -0.15)
     renderer.ResetCameraClippingRange()
 
 
@@ -212,7 +212,7 @@ def _bar(vtk, colours):
     bar.SetNumberOfLabels(5)
     bar.SetLabelFormat("%.3g")
     bar.SetTextPositionToPrecedeScalarBar()
-    bar.SetPosition(0.25, 0.055)
+    bar.SetPosition(0.25, 0.06)
     bar.SetWidth(0.5)
     bar.SetHeight(0.055)
     bar.SetUnconstrainedFontSize(True)

@@ -55,26 +55,33 @@ Intervals to_intervals(const IntervalDemands& demands, const CountSolution& solu
 
 }  // namespace
 
-Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,
-                           Context& context) {
+SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, IntervalDemands demands,
+                                const IntervalOptions& options, Context& context) {
   context.check(stage);
-  IntervalDemands demands = interval_demands(model, scheme, options);
   const Separation separation(model, scheme, options.size);
   separation.add_gaps(demands);
-  const CountOptions how{.time_limit_seconds = options.time_limit_seconds};
+  CountOptions how{.time_limit_seconds = options.time_limit_seconds};
   const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
-  std::optional<Intervals> best;
+  std::optional<SolvedIntervals> best;
   for (int round = 0; round < max_rounds; ++round) {
     context.report(static_cast<double>(round) / max_rounds, "Assigning numbers of mesh edges");
     const CountSolution solution = solve_counts(demands.problem, how, context);
-    if (!solution.is_feasible()) {
+    if (!solution.is_feasible) {
       if (!best) report_conflict(demands.problem, solution.conflict);
       break;  // the order of some face's sides is too much to ask: its grid will tell
     }
-    best = to_intervals(demands, solution);
+    best = {to_intervals(demands, solution), solution.values};
+    how.explain = false;
     if (separation.add_violated(solution, demands) == 0) break;
   }
-  return *best;
+  return std::move(*best);
+}
+
+Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                           Context& context) {
+  context.check(stage);
+  return solve_intervals(model, scheme, interval_demands(model, scheme, options), options, context)
+      .intervals;
 }
 
 }  // namespace sweepmesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sweepmesh/base/context.h"
+#include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/interval_options.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
@@ -16,5 +17,13 @@ namespace sweepmesh {
 /// entities concerned.
 Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                            Context& context);
+
+/// The same for interval_demands that the caller has changed or added to.
+struct SolvedIntervals {
+  Intervals intervals;
+  std::vector<long> values;  ///< of all unknowns of the problem
+};
+SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, IntervalDemands demands,
+                                const IntervalOptions& options, Context& context);
 
 }  // namespace sweepmesh

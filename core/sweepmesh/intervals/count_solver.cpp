@@ -300,9 +300,10 @@ CountSolution solve_counts(const CountProblem& problem, const CountOptions& opti
   CountClasses c;
   const auto value = reduce_and_solve(problem, c, options, context, out.is_optimal);
   if (!value) {
-    out.conflict = smallest_conflict(problem, options, context);
+    if (options.explain) out.conflict = smallest_conflict(problem, options, context);
     return out;
   }
+  out.is_feasible = true;
   for (const int k : c.class_of) out.values.push_back(std::lround((*value)[k]));
   for (std::size_t k = 0; k < c.classes.size(); ++k)
     out.cost += class_cost(c.classes[k], (*value)[k]);

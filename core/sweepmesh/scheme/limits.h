@@ -21,8 +21,8 @@ struct AngleLimits {
   /// How far an edge's dihedral angle may be anywhere from what its type asks for. With 60 degrees
   /// an edge is only what its angle suggests; infinite, only `margin` counts.
   double edge_deviation = std::numbers::pi / 3;
-  /// Whether END edges may be as flat as 180 degrees: on a round wall the mesh, being made of
-  /// chords, is still valid there, though poor.
+  /// Whether END edges and END vertices may be as flat as 180 degrees where the boundary bends
+  /// outwards around them: the mesh, being made of chords, is still valid there, though poor.
   bool allows_tangent_end = false;
 };
 
@@ -32,6 +32,15 @@ inline AngleLimits strict_limits() {
 }
 /// What is possible at all: where somebody has decided on sources and targets.
 AngleLimits lenient_limits();
+/// Between the two: what a radial sweep takes that nobody asked for. Right angles between the faces
+/// of a shell are halved by it.
+AngleLimits radial_limits();
+
+/// The limits at a place where the boundary bends outwards or does not.
+inline AngleLimits of_place(AngleLimits limits, bool is_rounded) {
+  limits.allows_tangent_end &= is_rounded;
+  return limits;
+}
 
 /// 90, 180, 270 or 360 degrees in radians.
 inline double ideal_angle(VertexType type) {

@@ -1,9 +1,12 @@
 #include "sweepmesh/scheme/sweep_problem.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+
+#include "sweepmesh/scheme/limits.h"
 
 namespace sweepmesh {
 
@@ -12,14 +15,27 @@ namespace {
 /// Away from the ends, where a blend may have no normal, and symmetric.
 constexpr std::array kDihedralFractions = {0.1, 0.3, 0.5, 0.7, 0.9};
 
-double heading(const Model& model, const Coedge& coedge) {
-  const double t = model.at_length_fractions(coedge.edge, {0.5}).front();
-  const Eigen::Matrix<double, 3, 2> d = model.derivatives(coedge.face, model.uv(coedge, t));
-  const Point3 normal = model.normal(coedge.face, model.uv(coedge, t));
-  Point3 tangent = model.tangent(coedge.edge, t);
-  if (coedge.reversed) tangent = -tangent;
-  const Point3 x = d.col(0).normalized();
-  return std::atan2(tangent.dot(normal.cross(x)), tangent.dot(x));
+/// How much the outward normal of a coedge's face leans away from the edge, radians, over a step
+/// from its middle into the face.
+double lean(const Model& model, const Coedge& coedge, double step) {
+  const auto [first, last] = model.range(coedge.edge);
+  const double t = 0.5 * (first + last);
+  const Point2 uv = model.uv(coedge, t);
+  const Point3 normal = model.normal(coedge.face, uv);
+  const Point3 inward =
+      normal.cross(model.tangent(coedge.edge, t)) * (coedge.reversed ? -1.0 : 1.0);
+  const Eigen::Matrix<double, 3, 2> d = model.derivatives(coedge.face, uv);
+  const Point2 move = (d.transpose() * d).ldlt().solve(d.transpose() * inward) * step;
+  return model.normal(coedge.face, uv + move).dot(inward);
+}
+
+bool is_rounded(const Model& model, EdgeId id) {
+  constexpr double kStep = 0.02;      // of the edge's length
+  constexpr double kMinLean = 0.004;  // over that step: 0.2 radians over the edge's length
+  double sum = 0.0;
+  for (const Coedge& coedge : model.coedges(id))
+    sum += lean(model, coedge, kStep * model.length(id));
+  return sum > kMinLean;
 }
 
 void measure(const Model& model, ProblemEdge& edge) {
@@ -35,6 +51,19 @@ void measure(const Model& model, ProblemEdge& edge) {
     edge.largest = std::max(edge.largest, angle);
     edge.mean += angle / kDihedralFractions.size();
   }
+  edge.is_rounded = is_rounded(model, edge.id);
+}
+
+/// Whether the boundary turns left over the ends of two coedges that follow each other, the corner
+/// between them left out.
+bool turns_left(const Model& model, const Coedge& before, const Coedge& after) {
+  constexpr double kPart = 0.1;      // of each coedge
+  constexpr double kMinTurn = 0.02;  // radians over that part
+  const double turn =
+      std::remainder(heading(model, before, 1.0) - heading(model, before, 1 - kPart),
+                     4 * kQuarterTurn) +
+      std::remainder(heading(model, after, kPart) - heading(model, after, 0.0), 4 * kQuarterTurn);
+  return turn > kMinTurn;
 }
 
 void measure_direction(const Model& model, const Coedge& coedge, ProblemEdge& edge) {
@@ -70,7 +99,9 @@ void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, 
       c.start = coedge.start.index;
       c.end = coedge.end.index;
       c.angle = model.interior_angle(id, c.loop, c.place);
-      c.heading = heading(model, coedge);
+      c.heading = heading(model, coedge, 0.5);
+      const Coedge& after = loops[l][(i + 1) % loops[l].size()];
+      c.is_rounded = after.edge.is_valid() && turns_left(model, coedge, after);
       c.length = model.length(coedge.edge);
       ProblemEdge& edge = out.edges[c.edge];
       if (edge.coedge[0] < 0) measure_direction(model, coedge, edge);
@@ -84,6 +115,16 @@ void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, 
 }
 
 }  // namespace
+
+double heading(const Model& model, const Coedge& coedge, double fraction) {
+  const auto [first, last] = model.range(coedge.edge);
+  const double t = first + (coedge.reversed ? 1 - fraction : fraction) * (last - first);
+  const Point2 uv = model.uv(coedge, t);
+  const Point3 x = model.derivatives(coedge.face, uv).col(0).normalized();
+  Point3 tangent = model.tangent(coedge.edge, t);
+  if (coedge.reversed) tangent = -tangent;
+  return std::atan2(tangent.dot(model.normal(coedge.face, uv).cross(x)), tangent.dot(x));
+}
 
 SweepProblem sweep_problem(const Model& model, const Context& context) {
   SweepProblem out;

@@ -22,6 +22,7 @@ struct ProblemCoedge {
   int partner = -1;          ///< the other use of the edge
   int start = -1, end = -1;  ///< vertices (VertexId::index), along the loop
   double angle = 0.0;        ///< interior angle of the face where this coedge ends, radians
+  bool is_rounded = false;   ///< the boundary bends outwards around that corner
   double heading = 0.0;  ///< of the coedge's middle in the face's tangent plane, from d/du, radians
   double length = 0.0;
 };
@@ -46,6 +47,9 @@ struct ProblemEdge {
   /// Angle through the material, radians: the least, the mean and the largest along the edge.
   double least = 0.0, mean = 0.0, largest = 0.0;
   bool is_seam = false;
+  /// The faces bend away from each other's planes at the edge (both or together, outwards): where
+  /// the edge is tangent, a mesh made of chords still has an angle below 180 degrees there.
+  bool is_rounded = false;
   bool is_closed = false;         ///< starts and ends at one vertex
   Point3 chord = Point3::Zero();  ///< from the start to the end of coedge[0]
   /// Unit tangents along coedge[0], at the middles of equal parts of the curve's parameter range.
@@ -79,6 +83,10 @@ struct SweepProblem {
 /// Measures a solid: interior angles at the corners of every loop, dihedral angles at five places
 /// of every edge, headings at the middle of every coedge. Cost: a few evaluations an edge.
 SweepProblem sweep_problem(const Model& model, const Context& context);
+
+/// Direction of a coedge in the tangent plane of its face, from d/du, radians in -pi..pi, at a
+/// fraction of the curve's parameter range, counted along the coedge.
+double heading(const Model& model, const Coedge& coedge, double fraction);
 
 /// Numbers the connected groups of faces (ProblemFace::shell); called by sweep_problem.
 void number_shells(SweepProblem& problem);

@@ -81,23 +81,31 @@ void take_boundary(const std::vector<CapNode>& nodes, CapMesh& cap) {
   }
 }
 
-/// The target's loops for the source's: seen from outside they run the other way.
-CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary) {
+/// The target's loops for the source's: seen from outside those of an opposite face run the other way.
+CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary, Facing facing) {
   CapLoops loops;
   auto first = boundary.begin();
   for (const int n : source.loop_sizes) {
-    loops.emplace_back(std::make_reverse_iterator(first + n), std::make_reverse_iterator(first));
+    if (facing == Facing::same)
+      loops.emplace_back(first, first + n);
+    else
+      loops.emplace_back(std::make_reverse_iterator(first + n), std::make_reverse_iterator(first));
     first += n;
   }
   return loops;
 }
 
-/// The mirrored chart points of the target's boundary, in the order of the source's loops and nodes.
-PlanarLoops loops_in_chart(const Chart& chart) {
+/// The chart points of the target's boundary, in the order of the source's loops and nodes; mirrored for an
+/// opposite face.
+PlanarLoops loops_in_chart(const Chart& chart, Facing facing) {
   PlanarLoops out(chart.order().size());
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto& loop = chart.loops()[k];
-    std::transform(loop.rbegin(), loop.rend(), std::back_inserter(out[chart.order()[k]]), mirrored);
+    auto& own = out[chart.order()[k]];
+    if (facing == Facing::same)
+      own = loop;
+    else
+      std::transform(loop.rbegin(), loop.rend(), std::back_inserter(own), mirrored);
   }
   return out;
 }
@@ -119,11 +127,11 @@ CapMesh empty_source(FaceId face, const std::shared_ptr<const Chart>& chart, con
 }
 
 CapMesh empty_target(FaceId face, const std::shared_ptr<const Chart>& chart, const CapMesh& source,
-                     const std::vector<CapNode>& boundary) {
+                     const std::vector<CapNode>& boundary, Facing facing) {
   CapMesh cap;
   cap.face = face;
-  cap.is_mirrored = true;
-  cap.metric = shared_metric(chart, true);
+  cap.is_mirrored = facing == Facing::opposite;
+  cap.metric = shared_metric(chart, cap.is_mirrored);
   cap.loop_sizes = source.loop_sizes;
   take_boundary(boundary, cap);
   return cap;
@@ -178,19 +186,23 @@ CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, doub
 }
 
 CapMesh map_cap(const Model& model, const CapMesh& source, FaceId target,
-                const std::vector<CapNode>& boundary, double size, const Context& context) {
-  return naming({name_of(source.face), name_of(target)}, [&] {
+                const std::vector<CapNode>& boundary, double size, const Context& context,
+                Facing facing) {
+  std::vector<std::string> names = {name_of(target)};
+  if (source.face.is_valid()) names.insert(names.begin(), name_of(source.face));
+  return naming(names, [&] {
     if (boundary.size() != source.boundary.size())
       throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
-    const auto chart = make_chart(model, target, loops_like(source, boundary), size, 0, context);
+    const auto chart =
+        make_chart(model, target, loops_like(source, boundary, facing), size, 0, context);
     check_outer_loop(*chart);
-    CapMesh cap = empty_target(target, chart, source, boundary);
+    CapMesh cap = empty_target(target, chart, source, boundary, facing);
     MapOptions options;
     options.source_metric = source.metric;
     options.target_metric = cap.metric;
     cap.plane = source.plane;
     cap.plane.points =
-        map_planar(source.plane, flattened(loops_in_chart(*chart)), options, context).points;
+        map_planar(source.plane, flattened(loops_in_chart(*chart, facing)), options, context).points;
     place_inside(model, *chart, cap);
     return cap;
   });
@@ -208,10 +220,10 @@ CapPair mesh_cap_pair(const Model& model, FaceId source, const CapLoops& boundar
     if (there.size() != pair.source.boundary.size())
       throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
     const auto far_chart =
-        make_chart(model, target, loops_like(pair.source, there), size, 0, context);
+        make_chart(model, target, loops_like(pair.source, there, Facing::opposite), size, 0, context);
     check_outer_loop(*far_chart);
-    pair.target = empty_target(target, far_chart, pair.source, there);
-    PlanarPair plane = mesh_planar_pair(chart->loops(), loops_in_chart(*far_chart),
+    pair.target = empty_target(target, far_chart, pair.source, there, Facing::opposite);
+    PlanarPair plane = mesh_planar_pair(chart->loops(), loops_in_chart(*far_chart, Facing::opposite),
                                         options_for(pair.source, size, kind), pair.target.metric, context);
     pair.target.plane = pair.source.plane = std::move(plane.first);
     pair.target.plane.points = std::move(plane.second);

@@ -35,11 +35,17 @@ PlanarQuality quality_in_space(const Model& model, const CapMesh& cap);
 CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, double size, CellKind kind,
                  const Context& context);
 
-/// Carries a source cap's mesh to a target face: `boundary[i]` is the target's node for the source's boundary
-/// node i (CapMesh::boundary). The plane mesh of the result has the same cells, node for node.
+/// Which way a face looks, compared with the mesh that is carried to it: a target against its source, a source
+/// against a base mesh seen from above.
+enum class Facing { opposite, same };
+
+/// Carries a cap's mesh to another face: `boundary[i]` is the target's node for the source's boundary
+/// node i (CapMesh::boundary). The plane mesh of the result has the same cells, node for node. `source` may
+/// lie on no face (an invalid FaceId): then it is the plane mesh alone.
 /// Throws InvalidMeshError naming both faces when no valid image is found.
 CapMesh map_cap(const Model& model, const CapMesh& source, FaceId target,
-                const std::vector<CapNode>& boundary, double size, const Context& context);
+                const std::vector<CapNode>& boundary, double size, const Context& context,
+                Facing facing = Facing::opposite);
 
 /// Source and target meshed together, so that distortion is shared (planar_pair.h): better than mesh_cap and
 /// map_cap wherever the two differ in shape. `partner` gives the target's node of each of the source's

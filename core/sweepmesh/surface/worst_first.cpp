@@ -13,19 +13,44 @@ constexpr int rings = 4;
 constexpr double sharpness = 3.0;  // weight of a cell: (1 / scaled Jacobian) to this power
 constexpr double heaviest = 1e4;
 
-std::vector<double> cell_sizes(const PlanarMesh& mesh, const std::vector<Point2>& points,
-                               const Metric& metric) {
-  std::vector<double> out;
+Eigen::Matrix2d root_at(const PlanarMesh& mesh, const std::vector<Point2>& points, int c,
+                        const Metric& metric) {
+  if (!metric) return Eigen::Matrix2d::Identity();
+  Point2 centre = Point2::Zero();
+  for (const int node : mesh.cell(c)) centre += points[node] / static_cast<double>(mesh.cell(c).size());
+  return metric(centre);
+}
+
+/// The wished edges at corner i of a rectangle whose sides are as long as the quad's are on the mean.
+Eigen::Matrix2d rectangle_corner(const std::vector<Point2>& points, std::span<const int> quad, int i,
+                                 const Eigen::Matrix2d& root) {
+  const auto length = [&](int a) {
+    return (root * (points[quad[(a + 1) % 4]] - points[quad[a % 4]])).norm();
+  };
+  const double along = 0.5 * (length(i) + length(i + 2)), across = 0.5 * (length(i + 1) + length(i + 3));
+  return Point2(along, across).asDiagonal();
+}
+
+/// Corner triangles with the wished shapes, weighted by cell.
+std::vector<MapTriangle> weighted_corners(const PlanarMesh& mesh, const std::vector<Point2>& points,
+                                          const std::vector<double>& weight, const Metric& metric) {
+  std::vector<double> edge(mesh.n_cells(), 1.0);
   for (int c = 0; c < mesh.n_cells(); ++c) {
     std::vector<Point2> corners;
-    Point2 centre = Point2::Zero();
-    for (const int node : mesh.cell(c)) {
-      corners.push_back(points[node]);
-      centre += points[node] / static_cast<double>(mesh.cell(c).size());
+    for (const int node : mesh.cell(c)) corners.push_back(points[node]);
+    const double area = signed_area(corners) * root_at(mesh, points, c, metric).determinant();
+    edge[c] = std::sqrt(area / (corners.size() == 3 ? 0.25 * std::sqrt(3.0) : 1.0));
+  }
+  std::vector<MapTriangle> out = corners_regular(mesh, edge);
+  std::size_t corner = 0;
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    const Eigen::Matrix2d root = root_at(mesh, points, c, metric);
+    for (int i = 0; i < static_cast<int>(cell.size()); ++i, ++corner) {
+      out[corner].weight = weight[c];
+      if (cell.size() == 4)
+        out[corner].ideal_inverse = rectangle_corner(points, cell, i, root).inverse();
     }
-    const double area = signed_area(corners) * (metric ? metric(centre).determinant() : 1.0);
-    const double of_unit_edge = corners.size() == 3 ? 0.25 * std::sqrt(3.0) : 1.0;
-    out.push_back(std::sqrt(area / of_unit_edge));
   }
   return out;
 }
@@ -67,12 +92,9 @@ std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<
   options.max_iterations = 12;
   std::vector<double> weight(mesh.n_cells(), 1.0);
   for (int round = 0; round < max_rounds; ++round) {
-    std::vector<MapTriangle> corners = corners_regular(mesh, cell_sizes(mesh, now, metric));
-    std::size_t corner = 0;
-    for (int c = 0; c < mesh.n_cells(); ++c) {
+    for (int c = 0; c < mesh.n_cells(); ++c)
       weight[c] = std::min(heaviest, std::sqrt(weight[c]) * std::pow(1.0 / jacobians[c], sharpness));
-      for (std::size_t i = 0; i < mesh.cell(c).size(); ++i) corners[corner++].weight = weight[c];
-    }
+    std::vector<MapTriangle> corners = weighted_corners(mesh, now, weight, metric);
     std::erase_if(corners, [&](const MapTriangle& t) {
       return std::all_of(t.node.begin(), t.node.end(), [&](int node) { return fixed[node]; });
     });

@@ -57,8 +57,8 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
 }
 
 [[noreturn]] void throw_invalid(const std::vector<long>& elements, const char* cause) {
-  throw InvalidMeshError("place", std::to_string(elements.size()) + " elements stay inverted: " + cause,
-                         {}, elements);
+  throw InvalidMeshError(
+      "place", std::to_string(elements.size()) + " elements stay inverted: " + cause, {}, elements);
 }
 
 /// Untangles the elements that are not positive; throws when some stay so.
@@ -122,6 +122,13 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   ThreadTeam team(context.n_threads());
   context.report(0.0, "Placing the interior nodes");
   const BaseMetric metric = make_base_metric(extrusion, fixed, points);
+  if (options.method != PlacementMethod::harmonic_residual) {
+    place_by_older_method(options.method, extrusion, fixed, metric, points, team, context);
+    const ElementCheck check = check_elements(extrusion, points, 0.0, team);
+    report.min_scaled_jacobian = check.min_scaled_jacobian;
+    report.inverted = check.bad;
+    return report;
+  }
   const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric);
   set_predictions(extrusion, motion, fixed, points, team);
   const Residuals residuals = find_residuals(extrusion, motion, fixed, points);

@@ -41,6 +41,13 @@ def test_the_plan_names_what_was_picked_and_what_was_found(box):
     assert plan.faces("linking") == ["Face3", "Face4", "Face5", "Face6"]
 
 
+def test_the_plan_tells_the_numbers_of_the_mesh(box):
+    plan = app.plan(box, size=1.0, sources=["Face6"])
+    result = app.mesh(plan)
+    assert plan.intervals == result.intervals
+    assert plan.details.n_layers == 2 and "layers   2" in str(plan)
+
+
 def test_an_unsweepable_solid_is_an_answer_and_no_error():
     plan = app.plan(Part.makeSphere(5))
     assert not plan.is_sweepable and plan.assessment.reasons[0].text in str(plan)
@@ -54,3 +61,9 @@ def test_solids_and_what_is_none(document, box):
     for wrong in (empty, group, Part.makePlane(1, 1), 7):
         with pytest.raises(InputError):
             app.assess(wrong)
+
+
+def test_two_solids_in_one_shape_are_told(document):
+    two = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, FreeCAD.Vector(3, 0, 0))])
+    with pytest.raises(InputError, match="2 solids"):
+        app.assess(two)

@@ -108,8 +108,9 @@ def _canvas():
 
 
 def press(button):
-    """Click on a button of a panel or a toolbar."""
-    QTest.mouseClick(button, LEFT, NO_KEY)
+    """Click on a button of a panel or a toolbar, or on the box of a check box."""
+    at = QtCore.QPoint(10, button.height() // 2) if isinstance(button, QtGui.QCheckBox) else QtCore.QPoint()
+    QTest.mouseClick(button, LEFT, NO_KEY, at)
     settle()
 
 
@@ -138,12 +139,16 @@ def widget(name):
     raise LookupError(f"There is no widget '{name}'.")
 
 
+def is_shown(name):
+    """Is there a widget of this name to be seen?"""
+    return any(found.isVisible() for found in main_window().findChildren(QtGui.QWidget, name))
+
+
 def rows(name):
     """The texts of a list of the panel; none while there is no such list."""
-    try:
-        shown = widget(name)
-    except LookupError:
+    if not is_shown(name):
         return []
+    shown = widget(name)
     return [shown.item(i).text() for i in range(shown.count())]
 
 

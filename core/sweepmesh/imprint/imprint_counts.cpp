@@ -1,0 +1,243 @@
+#include "sweepmesh/imprint/imprint_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "sweepmesh/imprint/edge_lengths.h"
+#include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/intervals/interval_demands.h"
+#include "sweepmesh/intervals/wishes.h"
+
+namespace sweepmesh {
+namespace {
+
+using Kind = CountProblem::Kind;
+using Terms = std::vector<IntegerProgram::Term>;
+
+class Demands {
+ public:
+  Demands(const Model& model, const Scheme& scheme, const Imprint& imprint,
+          const IntervalOptions& options)
+      : model_(model),
+        scheme_(scheme),
+        imprint_(imprint),
+        options_(options),
+        out_(interval_demands(model, scheme, options)) {}
+
+  void add() {
+    auto& demands = out_.problem.demands;
+    std::erase_if(demands, [](const auto& d) {
+      return d.kind == Kind::even || d.kind == Kind::preferably_even;
+    });
+    add_edges();
+    for (const Patch& p : imprint_.patches) add_patch(p);
+    for (const ImprintEdge& e : imprint_.edges)
+      for (std::size_t i = 1; i < e.traces.size(); ++i)
+        keep_apart(model_.start(e.traces[i - 1].edge), model_.start(e.traces[i].edge),
+                   name_of(e.traces[i - 1].edge), name_of(e.traces[i].edge));
+    for (const ImprintVertex& v : imprint_.vertices) add_column(v);
+    for (const FaceId f : scheme_.faces_with(FaceRole::linking)) add_offsets(f);
+  }
+
+  const IntervalDemands& demands() const { return out_; }
+  int unknown(int imprint_edge) const { return edge_[imprint_edge]; }
+
+ private:
+  void demand(Kind kind, Terms terms, double right, std::vector<std::string> names,
+              std::string text) {
+    out_.problem.demand({kind, std::move(terms), right, std::move(names), std::move(text)});
+  }
+
+  // --- counts ------------------------------------------------------------------------------------
+
+  void add_edges() {
+    const auto wishes = wished_counts(model_, options_);
+    for (const ImprintEdge& e : imprint_.edges) {
+      double sum = 0.0;
+      for (const Trace& t : e.traces) {
+        const auto f = length_fractions(model_, t.edge, {t.first, t.last});
+        sum += std::log(std::max(wishes[t.edge.index] * std::abs(f[1] - f[0]), 1e-3));
+      }
+      const double wish = std::exp(sum / e.traces.size());
+      edge_.push_back(out_.problem.add({e.start == e.end ? 3.0 : 1.0, unbounded, wish, 1.0}));
+    }
+    for (const EdgeId e : model_.edges()) {
+      const auto& chain = imprint_.chain[e.index];
+      if (chain.empty()) continue;
+      const int whole = out_.edge[e.index];
+      out_.problem.unknowns[whole].wish.reset();
+      Terms terms = {{whole, 1.0}};
+      for (const DirectedEdge& d : chain) terms.push_back({edge_[d.edge], -1.0});
+      demand(Kind::equality, terms, 0.0, {name_of(e)},
+             name_of(e) + " must have the mesh edges of the parts that it is divided into");
+    }
+  }
+
+  void add_patch(const Patch& p) {
+    Terms around;
+    std::vector<std::string> names;
+    for (const Run& r : p.runs) {
+      for (const FaceId f : {r.target, r.source}) names.push_back(name_of(f));
+      keep_apart(vertex_of(r.target), vertex_of(r.source), name_of(r.target), name_of(r.source));
+    }
+    for (std::size_t i = 1; i < p.runs.size(); ++i)
+      keep_apart(vertex_of(p.runs[i - 1].source), vertex_of(p.runs[i].target),
+                 name_of(p.runs[i - 1].source), name_of(p.runs[i].target));
+    for (const auto& loop : p.loops) {
+      Terms sum;
+      for (const DirectedEdge& d : loop) sum.push_back({edge_[d.edge], 1.0});
+      demand(Kind::at_least, sum, options_.quad_caps ? 4.0 : 3.0, names,
+             "each loop of a patch must have enough mesh edges");
+      if (options_.quad_caps && p.loops.size() > 1)
+        demand(Kind::preferably_even, sum, 0.0, names, "each loop of a patch should be even");
+      around.insert(around.end(), sum.begin(), sum.end());
+    }
+    if (options_.quad_caps)
+      demand(Kind::even, around, 0.0, names,
+             "the number of mesh edges around the patch between " + names[0] + " and " + names[1] +
+                 " must be even");
+  }
+
+  // --- layers ------------------------------------------------------------------------------------
+
+  VertexId vertex_of(FaceId cap) const { return model_.loops(cap).front().front().start; }
+
+  void keep_apart(VertexId low, VertexId high, const std::string& a, const std::string& b) {
+    if (imprint_.vertex_level[low.index] == imprint_.vertex_level[high.index]) return;
+    const int i = out_.vertex[low.index], j = out_.vertex[high.index];
+    if (!apart_.insert({i, j}).second) return;
+    demand(Kind::at_least, {{j, 1.0}, {i, -1.0}}, 1.0, {a, b},
+           b + " must lie at least a layer above " + a);
+  }
+
+  void add_column(const ImprintVertex& v) {
+    std::vector<VertexId> sorted = v.cad;
+    std::sort(sorted.begin(), sorted.end(), [&](VertexId a, VertexId b) {
+      return std::pair(imprint_.vertex_level[a.index], a) <
+             std::pair(imprint_.vertex_level[b.index], b);
+    });
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      keep_apart(sorted[i - 1], sorted[i], name_of(sorted[i - 1]), name_of(sorted[i]));
+  }
+
+  // --- loops of linking faces --------------------------------------------------------------------
+
+  /// A step along an imprint edge over which a linking face stands.
+  struct Step {
+    int to;
+    int unknown;  ///< of the edge's count
+    double sign;  ///< +1 along +i of the face
+  };
+
+  void add_offsets(FaceId f) {
+    const auto& loops = model_.loops(f);
+    if (loops.size() < 2) return;
+    const auto steps = steps_of(f);
+    const int from = column_of(loops[0].front().start);
+    for (std::size_t l = 1; l < loops.size(); ++l) {
+      const auto terms = path(steps, from, column_of(loops[l].front().start));
+      if (!terms) continue;
+      Terms all = *terms;
+      all.push_back({out_.offset[f.index][l], -1.0});
+      demand(Kind::equality, all, 0.0, {name_of(f)},
+             "the loops of " + name_of(f) + " must stand over the same columns");
+    }
+  }
+
+  int column_of(VertexId v) const {
+    for (std::size_t i = 0; i < imprint_.vertices.size(); ++i)
+      if (std::binary_search(imprint_.vertices[i].cad.begin(), imprint_.vertices[i].cad.end(), v))
+        return static_cast<int>(i);
+    return -1;
+  }
+
+  std::map<int, std::vector<Step>> steps_of(FaceId f) const {
+    std::map<int, std::vector<Step>> steps;
+    for (std::size_t x = 0; x < imprint_.edges.size(); ++x) {
+      const ImprintEdge& e = imprint_.edges[x];
+      for (const Trace& t : e.traces)
+        for (const Coedge& c : model_.coedges(t.edge)) {
+          if (c.face != f) continue;
+          const bool is_plus = direction_of(c) == Direction::plus_i;
+          const bool is_against = c.reversed != (t.first > t.last);
+          const double sign = is_plus != is_against ? 1.0 : -1.0;
+          steps[e.start].push_back({e.end, edge_[x], sign});
+          steps[e.end].push_back({e.start, edge_[x], -sign});
+        }
+    }
+    return steps;
+  }
+
+  Direction direction_of(const Coedge& c) const {
+    const auto& loops = model_.loops(c.face);
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0; i < loops[l].size(); ++i)
+        if (loops[l][i].edge == c.edge && loops[l][i].reversed == c.reversed)
+          return scheme_.face[c.face.index].direction[l][i];
+    return Direction::plus_i;
+  }
+
+  /// Signed counts on a shortest way.
+  static std::optional<Terms> path(const std::map<int, std::vector<Step>>& steps, int from, int to) {
+    std::map<int, Terms> way = {{from, {}}};
+    std::vector<int> open = {from};
+    for (std::size_t i = 0; i < open.size() && !way.contains(to); ++i) {
+      const auto here = steps.find(open[i]);
+      if (here == steps.end()) continue;
+      for (const Step& s : here->second) {
+        Terms next = way[open[i]];
+        next.push_back({s.unknown, s.sign});
+        if (way.try_emplace(s.to, std::move(next)).second) open.push_back(s.to);
+      }
+    }
+    const auto found = way.find(to);
+    if (found == way.end()) return std::nullopt;
+    return found->second;
+  }
+
+  const Model& model_;
+  const Scheme& scheme_;
+  const Imprint& imprint_;
+  const IntervalOptions& options_;
+  IntervalDemands out_;
+  std::vector<int> edge_;
+  std::set<std::pair<int, int>> apart_;
+};
+
+}  // namespace
+
+ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
+                            const IntervalOptions& options, Context& context) {
+  Demands demands(model, scheme, imprint, options);
+  demands.add();
+  SolvedIntervals solved = solve_intervals(model, scheme, demands.demands(), options, context);
+  ImprintCounts out{std::move(solved.intervals), {}};
+  for (std::size_t e = 0; e < imprint.edges.size(); ++e)
+    out.edge.push_back(static_cast<int>(solved.values[demands.unknown(static_cast<int>(e))]));
+  return out;
+}
+
+EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
+                                const ImprintCounts& counts, const IntervalOptions& options) {
+  EdgeNodes out = place_edge_nodes(model, counts.intervals, options);
+  for (const EdgeId e : model.edges()) {
+    if (imprint.chain[e.index].size() < 2) continue;
+    std::vector<double> t = {model.range(e).first};
+    for (const DirectedEdge& d : imprint.chain[e.index]) {
+      const auto& traces = imprint.edges[d.edge].traces;
+      const auto trace = std::find_if(traces.begin(), traces.end(),
+                                      [&](const Trace& tr) { return tr.edge == e; });
+      const auto [low, high] = std::minmax(trace->first, trace->last);
+      const auto part = even_parameters(model, e, low, high, counts.edge[d.edge]);
+      t.insert(t.end(), part.begin() + 1, part.end());
+    }
+    t.back() = model.range(e).second;
+    out.t[e.index] = std::move(t);
+  }
+  return out;
+}
+
+}  // namespace sweepmesh
