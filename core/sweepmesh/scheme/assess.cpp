@@ -26,6 +26,22 @@ int index_of(const SweepProblem& problem, FaceId id) {
   return static_cast<int>(at - problem.faces.begin());
 }
 
+std::vector<FixedCorner> fixed_corners(const SweepProblem& problem,
+                                       const std::vector<TypePick>& types) {
+  std::vector<FixedCorner> out;
+  for (const TypePick& pick : types) {
+    const int face = index_of(problem, pick.face), first = problem.first_coedge(face);
+    const std::size_t n_before = out.size();
+    for (int c = first; c < first + problem.n_coedges(face); ++c)
+      if (problem.coedges[c].end == pick.vertex.index) out.push_back({c, pick.type});
+    if (out.size() == n_before)
+      throw InputError("assess",
+                       name_of(pick.vertex) + " is not a vertex of " + name_of(pick.face) + ".",
+                       {name_of(pick.vertex), name_of(pick.face)});
+  }
+  return out;
+}
+
 /// A picked face and the states that it may have.
 using Pick = std::pair<FaceId, StateSet>;
 
@@ -143,14 +159,15 @@ class Assessor {
     for (const auto& [id, states] : chosen_) index_of(problem_, id);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
-    const Network strict = make_network(problem_, strict_limits());
+    const auto fixed = fixed_corners(problem_, picks_.types);
+    const Network strict = make_network(problem_, strict_limits(), fixed);
     if (auto found = try_with(strict, chosen_)) return *found;
     if (opposed_) return {{}, {*opposed_}};
-    const Network lenient = make_network(problem_, lenient_limits());
-    if (!chosen_.empty()) {
+    const Network lenient = make_network(problem_, lenient_limits(), fixed);
+    if (!chosen_.empty() || !fixed.empty())
       if (auto found = try_with(lenient, chosen_)) return *found;
-      return refuse_picks(strict, lenient);
-    }
+    if (auto refused = refuse_types()) return *refused;
+    if (!chosen_.empty()) return refuse_picks(strict, lenient);
     if (auto found = try_radial()) return *found;
     return refuse(lenient);
   }
@@ -178,6 +195,25 @@ class Assessor {
     }
     if (!is_convex_shell(problem_, 0) || !is_convex_shell(problem_, 1)) return {};
     return try_with(make_network(problem_, radial_limits()), shells);
+  }
+
+  bool can_hold(const std::vector<TypePick>& types) {
+    const Network network =
+        make_network(problem_, lenient_limits(), fixed_corners(problem_, types));
+    return !search(network, chosen_, context_).divisions.empty();
+  }
+
+  /// Drops each type that is not needed for the contradiction. Empty where the types are not at
+  /// fault.
+  std::optional<Assessment> refuse_types() {
+    if (picks_.types.empty() || !can_hold({})) return {};
+    std::vector<TypePick> left = picks_.types;
+    for (std::size_t i = left.size(); i-- > 0;) {
+      std::vector<TypePick> without = left;
+      without.erase(without.begin() + i);
+      if (!can_hold(without)) left = without;
+    }
+    return Assessment{{}, {type_reason(left)}};
   }
 
   Assessment refuse(const Network& lenient) {
