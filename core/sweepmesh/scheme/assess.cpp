@@ -1,6 +1,7 @@
 #include "sweepmesh/scheme/assess.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/scheme/pairs.h"
@@ -90,18 +91,29 @@ int count(const Division& division, StateSet role) {
       std::count(division.choices.role.begin(), division.choices.role.end(), role));
 }
 
-/// Best first. Where nothing tells sources and targets apart (`is_symmetric`), the more are the
-/// sources.
+/// Caps that were not picked, where sources and targets were; else 0.
+int n_unasked_caps(const Division& division, const std::vector<Pick>& picks) {
+  const auto has_picked = [&](StateSet role) {
+    return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
+  };
+  if (!has_picked(kSourceStates) || !has_picked(kTargetStates)) return 0;
+  return count(division, kSourceStates) + count(division, kTargetStates) -
+         static_cast<int>(picks.size());
+}
+
+/// Best first. Where nothing tells sources and targets apart (no picks), the more are the sources.
 std::vector<Scheme> ranked(const Model& model, const Network& network,
-                           std::vector<Division> divisions, bool is_symmetric) {
-  std::vector<std::pair<Rank, const Division*>> order;
+                           std::vector<Division> divisions, const std::vector<Pick>& picks) {
+  std::vector<std::tuple<bool, Rank, const Division*>> order;
   for (Division& d : divisions) {
-    if (is_symmetric && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
-    order.emplace_back(rank_of(network, d), &d);
+    if (picks.empty() && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
+    order.emplace_back(n_unasked_caps(d, picks) > 0, rank_of(network, d), &d);
   }
-  std::ranges::sort(order, {}, &std::pair<Rank, const Division*>::first);
+  std::ranges::sort(order, [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+  });
   std::vector<Scheme> out;
-  for (const auto& [rank, d] : order)
+  for (const auto& [is_unasked, rank, d] : order)
     out.push_back(to_scheme(network, *d, model.n_faces(), model.n_edges()));
   return out;
 }
@@ -182,7 +194,7 @@ class Assessor {
     }
     if (auto reason = keep_paired(network, picks_, result.divisions))
       return Assessment{{}, {*reason}};
-    return Assessment{ranked(model_, network, result.divisions, chosen_.empty()), {}};
+    return Assessment{ranked(model_, network, result.divisions, chosen_), {}};
   }
 
   /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to

@@ -253,18 +253,10 @@ TEST(Assess, PairsMustFollowTheWalls) {
 
 TEST(Assess, PickedVertexTypesHoldOrAreNamed) {
   const Model model = test::slanted_block();
-  const Scheme plain = assessed(model).schemes.front();
-  // The corner of a linking face that the scheme made END, on the face with five corners.
   const auto five = std::ranges::find_if(
       model.faces(), [&](FaceId f) { return model.loops(f)[0].size() == 5 && model.is_planar(f); });
   ASSERT_NE(five, model.faces().end());
   const Loop& loop = model.loops(*five)[0];
-  std::vector<FaceId> caps;
-  for (FaceId f : model.faces())
-    if (model.loops(f)[0].size() == 5)
-      continue;
-    else
-      caps.push_back(f);
   int n_reached = 0;
   for (const Coedge& c : loop) {  // any of the five may be the SIDE
     const Assessment found = assessed(model, {{}, {}, {}, {{*five, c.end, VertexType::side}}});
