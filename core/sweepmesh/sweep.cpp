@@ -48,6 +48,8 @@ class StageClock {
   throw InputError("options", sentence, std::move(entities));
 }
 
+}  // namespace
+
 void check_options(const SweepOptions& options) {
   if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
     refuse("The element size must be a positive number.");
@@ -74,11 +76,15 @@ IntervalOptions interval_options(const SweepOptions& options, double size) {
   return out;
 }
 
+namespace {
+
 std::string in_millions(double count) {
   char text[32];
   std::snprintf(text, sizeof text, count < 1e5 ? "%.0f" : "%.3g", count);
   return text;
 }
+
+}  // namespace
 
 void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
   IntervalOptions intervals = interval_options(options, size);
@@ -95,6 +101,8 @@ bool is_one_to_one(const Scheme& scheme) {
   return scheme.faces_with(FaceRole::source).size() == 1 &&
          scheme.faces_with(FaceRole::target).size() == 1;
 }
+
+namespace {
 
 BoundaryMesh boundary_of_one(const Model& model, const Scheme& scheme,
                              const IntervalOptions& options, CellKind kind, StageClock& clock,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sweepmesh/base/context.h"
+#include "sweepmesh/intervals/interval_options.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/quality/quality.h"
@@ -46,6 +47,14 @@ struct SweepResult {
 /// reasons.
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context);
+
+// For callers that run the stages one by one, as plan.h does. The first three throw InputError.
+void check_options(const SweepOptions& options);
+void check_picks(const Picks& picks);
+/// Throws where more elements are to be expected than `options` allow.
+void refuse_explosion(const Model& model, const SweepOptions& options, double size);
+IntervalOptions interval_options(const SweepOptions& options, double size);
+bool is_one_to_one(const Scheme& scheme);
 
 /// The size that fills the solid's volume with about 3000 cubes.
 double default_size(const Model& model);

@@ -36,7 +36,7 @@ def has_solid(source):
     return isinstance(shape, Part.Shape) and not shape.isNull() and len(shape.Solids) > 0
 
 
-def proposed_size(source, n_elements=3000):
+def proposed_size(source, n_elements):
     """Return an edge length, rounded to two digits, that makes about `n_elements` elements of the shape."""
     volume = abs(shape_of(source).Volume)
     return float(f"{(volume / n_elements) ** (1 / 3):.2g}")

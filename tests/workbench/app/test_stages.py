@@ -41,6 +41,13 @@ def test_the_plan_names_what_was_picked_and_what_was_found(box):
     assert plan.faces("linking") == ["Face3", "Face4", "Face5", "Face6"]
 
 
+def test_the_plan_tells_the_numbers_of_the_mesh(box):
+    plan = app.plan(box, size=1.0, sources=["Face6"])
+    result = app.mesh(plan)
+    assert plan.intervals == result.intervals
+    assert plan.details.n_layers == 2 and "layers   2" in str(plan)
+
+
 def test_an_unsweepable_solid_is_an_answer_and_no_error():
     plan = app.plan(Part.makeSphere(5))
     assert not plan.is_sweepable and plan.assessment.reasons[0].text in str(plan)

@@ -1,5 +1,6 @@
 """The sweep mesh as a document object: settings, links to the shape and its faces, the mesh, the report."""
 from sweepmesh import engine
+from sweepmesh.app import preferences
 from sweepmesh.engine.errors import input_error
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.app.kept_meshes import KeptMeshes
@@ -117,7 +118,7 @@ def shape_object(obj):
 
 def options_of(obj):
     """Return the engine's Options for what the properties say."""
-    options = engine.Options(element=obj.Element, order=ORDERS.index(obj.Order) + 1)
+    options = engine.Options(element=obj.Element, order=ORDERS.index(obj.Order) + 1, threads=preferences.threads())
     options.size = obj.Size.Value or None
     options.layers = obj.Layers or None
     options.sources = face_numbers(obj, "Sources")
