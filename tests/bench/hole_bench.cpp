@@ -1,6 +1,6 @@
-// The square block of 24 x 24 x 20 quads with a square hole of 8 x 8 that twists, moves or grows: how many
-// elements each stage leaves inverted. Cap and sides are planar; the target cap's interior starts from its
-// own harmonic map and slides in its plane when elements are untangled.
+// The square block of 24 x 24 x 20 quads with a square hole of 8 x 8 that twists, moves or grows:
+// how many elements each stage leaves inverted. Cap and sides are planar; the target cap's interior
+// starts from its own harmonic map and slides in its plane when elements are untangled.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +18,8 @@ using namespace sweepmesh::testing;
 
 constexpr int n_layers = 20;
 
-/// Sets the free columns of a layer to the harmonic map of its boundary (uniform weights, Gauss-Seidel).
+/// Sets the free columns of a layer to the harmonic map of its boundary (uniform weights,
+/// Gauss-Seidel).
 void map_cap(const Base& base, const std::vector<char>& is_boundary, int k, Solid& solid) {
   std::vector<std::vector<int>> neighbours(base.points.size());
   for (const auto& cell : base.cells)
@@ -31,7 +32,8 @@ void map_cap(const Base& base, const std::vector<char>& is_boundary, int k, Soli
       if (is_boundary[c]) continue;
       Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
       for (const int n : neighbours[c])
-        mean += solid.exact.row(solid.extrusion.node(n, k)) / static_cast<double>(neighbours[c].size());
+        mean +=
+            solid.exact.row(solid.extrusion.node(n, k)) / static_cast<double>(neighbours[c].size());
       solid.exact.row(solid.extrusion.node(static_cast<int>(c), k)) = mean;
     }
 }
@@ -56,7 +58,8 @@ void run(const char* name, const std::function<Point2(Point2)>& hole) {
   PlacementOptions harmonic, whole;
   harmonic.max_attempts = 0;
   whole.sliding = inside_cap(is_boundary, solid);
-  for (const auto& [stage, options] : {std::pair("harmonic", harmonic), std::pair("untangled", whole)}) {
+  for (const auto& [stage, options] :
+       {std::pair("harmonic", harmonic), std::pair("untangled", whole)}) {
     Points points = solid.input();
     const auto start = std::chrono::steady_clock::now();
     try {
@@ -65,10 +68,11 @@ void run(const char* name, const std::function<Point2(Point2)>& hole) {
     } catch (const InvalidMeshError& e) {
       std::printf("%s\n", e.what());
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const QualityReport q = measure_quality(solid.extrusion, points, {}, Context());
-    std::printf("%-22s %-10s %8ld inverted, scaled Jacobian min %7.3f mean %6.3f, %6.2f s\n", name, stage,
-                q.n_inverted, q.scaled_jacobian.min, q.scaled_jacobian.mean, seconds);
+    std::printf("%-22s %-10s %8ld inverted, scaled Jacobian min %7.3f mean %6.3f, %6.2f s\n", name,
+                stage, q.n_inverted, q.scaled_jacobian.min, q.scaled_jacobian.mean, seconds);
   }
 }
 

@@ -68,7 +68,7 @@ def _work(arguments, state):
     seconds = state["seconds"]
     with progress_bar(not arguments.quiet) as progress:
         with _timed(seconds, "read"):
-            shape = shapes.read_shape(arguments.shape, arguments.object, arguments.solid)
+            shape = shapes.read_shape(arguments.shape, arguments.object)
         for warning in shape.warnings:
             _warn(warning)
         options = make_options(arguments, shape.model)
@@ -93,6 +93,7 @@ def make_options(arguments, model):
         element=arguments.element,
         order=arguments.order,
         threads=arguments.threads,
+        solid=arguments.solid,
         max_elements=NO_LIMIT if arguments.force else None,
         sources=[shapes.face_number(model, face) for face in arguments.source],
         targets=[shapes.face_number(model, face) for face in arguments.target],

@@ -27,8 +27,10 @@ class Separation {
   /// the size.
   void add_gaps(IntervalDemands& demands) const;
 
-  /// Order that the solution violates, as further demands (on i or k). Returns how many were added:
-  /// none means that every face whose layout is known bounds a region, as far as order tells.
+  /// For every face whose loops bound no region in the solution: the order of sides that see each
+  /// other in the layout, where the solution has it otherwise, as further demands on i or k.
+  /// Returns how many were added; none means that nothing is wrong, or nothing that order could
+  /// mend.
   int add_violated(const CountSolution& solution, IntervalDemands& demands) const;
 
  private:

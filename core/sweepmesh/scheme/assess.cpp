@@ -52,7 +52,7 @@ Choices start_of(const Network& network, const std::vector<Pick>& picks) {
 
 /// Raises the limit of cost until something is found, then looks once more for what is nearly as
 /// good.
-SearchResult search(const Network& network, const std::vector<Pick>& picks, const Context& context,
+SearchResult search(const Network& network, const std::vector<Pick>& picks, Context& context,
                     SearchOptions options = {}) {
   const Choices start = start_of(network, picks);
   options.is_symmetric = picks.empty();
@@ -69,10 +69,20 @@ SearchResult search(const Network& network, const std::vector<Pick>& picks, cons
   return wider.is_complete ? wider : result;
 }
 
+int count(const Division& division, StateSet role) {
+  return static_cast<int>(
+      std::count(division.choices.role.begin(), division.choices.role.end(), role));
+}
+
+/// Best first. Where nothing tells sources and targets apart (`is_symmetric`), the more are the
+/// sources.
 std::vector<Scheme> ranked(const Model& model, const Network& network,
-                           const std::vector<Division>& divisions) {
+                           std::vector<Division> divisions, bool is_symmetric) {
   std::vector<std::pair<Rank, const Division*>> order;
-  for (const Division& d : divisions) order.emplace_back(rank_of(network, d), &d);
+  for (Division& d : divisions) {
+    if (is_symmetric && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
+    order.emplace_back(rank_of(network, d), &d);
+  }
   std::ranges::sort(order, {}, &std::pair<Rank, const Division*>::first);
   std::vector<Scheme> out;
   for (const auto& [rank, d] : order)
@@ -82,7 +92,7 @@ std::vector<Scheme> ranked(const Model& model, const Network& network,
 
 /// The picks without each of which the others can be met; all where no single one is to blame.
 std::vector<FaceId> blamed_picks(const Network& network, const std::vector<Pick>& picks,
-                                 const Context& context) {
+                                 Context& context) {
   std::vector<FaceId> blamed, all;
   SearchOptions brief;
   brief.max_effort /= 4 * static_cast<long>(picks.size());
@@ -108,9 +118,21 @@ std::optional<Reason> keep_paired(const Network& network, const Picks& picks,
   return divisions.empty() ? first : std::nullopt;
 }
 
+/// Whether the edges of a shell bend all outwards or all inwards.
+bool is_convex_shell(const SweepProblem& problem, int shell) {
+  const AngleLimits limits = radial_limits();
+  bool bends_out = false, bends_in = false;
+  for (const ProblemEdge& edge : problem.edges) {
+    if (problem.faces[problem.coedges[edge.coedge[0]].face].shell != shell) continue;
+    bends_out |= edge.least < 2 * kQuarterTurn - limits.margin;
+    bends_in |= edge.largest > 2 * kQuarterTurn + limits.margin;
+  }
+  return !(bends_out && bends_in);
+}
+
 class Assessor {
  public:
-  Assessor(const Model& model, const Picks& picks, const Context& context)
+  Assessor(const Model& model, const Picks& picks, Context& context)
       : model_(model),
         picks_(picks),
         context_(context),
@@ -129,7 +151,7 @@ class Assessor {
       if (auto found = try_with(lenient, chosen_)) return *found;
       return refuse_picks(strict, lenient);
     }
-    if (auto found = try_radial(lenient)) return *found;
+    if (auto found = try_radial()) return *found;
     return refuse(lenient);
   }
 
@@ -143,18 +165,19 @@ class Assessor {
     }
     if (auto reason = keep_paired(network, picks_, result.divisions))
       return Assessment{{}, {*reason}};
-    return Assessment{ranked(model_, network, result.divisions), {}};
+    return Assessment{ranked(model_, network, result.divisions, chosen_.empty()), {}};
   }
 
-  /// Two closed shells and nothing between them: from the one to the other, whatever the angles
-  /// between the faces of a shell.
-  std::optional<Assessment> try_radial(const Network& lenient) {
+  /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to
+  /// the other.
+  std::optional<Assessment> try_radial() {
     std::vector<Pick> shells;
     for (const ProblemFace& face : problem_.faces) {
       if (face.shell > 1) return {};
       shells.emplace_back(face.id, face.shell == 0 ? kSourceStates : kTargetStates);
     }
-    return try_with(lenient, shells);
+    if (!is_convex_shell(problem_, 0) || !is_convex_shell(problem_, 1)) return {};
+    return try_with(make_network(problem_, radial_limits()), shells);
   }
 
   Assessment refuse(const Network& lenient) {
@@ -174,7 +197,7 @@ class Assessor {
 
   const Model& model_;
   const Picks& picks_;
-  const Context& context_;
+  Context& context_;
   SweepProblem problem_;
   std::vector<Pick> chosen_;
   bool is_strict_complete_ = false;  ///< some search proved that there is nothing

@@ -15,9 +15,12 @@ using Matrix4 = Eigen::Matrix4d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Share of the worst negative determinant that eps takes, and its floor (determinants are scaled to 1).
+/// Share of the worst negative determinant that eps takes first, and its floor (determinants are scaled to 1).
 constexpr double eps_share = 0.2;
 constexpr double eps_floor = 1e-8;
+/// Least part by which chi of the worst determinant falls from step to step.
+constexpr double least_fall = 0.1;
+constexpr int max_stalled_steps = 12;
 constexpr int max_halvings = 40;
 constexpr double sufficient_decrease = 1e-4;
 
@@ -82,18 +85,20 @@ class Minimiser {
   FoldoverResult run() {
     FoldoverResult result;
     double worst = worst_determinant(points_);
-    double last_energy = std::numeric_limits<double>::infinity();
+    double eps = worst > 0.0 ? eps_floor : eps_floor - eps_share * worst;
+    int n_stalled = 0;
     while (result.iterations < options_.max_iterations && n_unknowns_ > 0) {
       context_.check("surface");
-      const double eps = worst > 0.0 ? eps_floor : eps_floor - eps_share * worst;
+      const bool was_valid = worst > 0.0;
       const double before = energy(points_, eps);
-      const double after = step(eps, before, worst > 0.0);
+      const double after = step(eps, before, was_valid);
       ++result.iterations;
       worst = worst_determinant(points_);
       const bool has_settled = before - after <= options_.tolerance * before;
-      if (worst > 0.0 && has_settled) break;
-      if (worst <= 0.0 && has_settled && before >= last_energy * (1.0 - options_.tolerance)) break;
-      last_energy = has_settled ? before : std::numeric_limits<double>::infinity();
+      n_stalled = has_settled ? n_stalled + 1 : 0;
+      if (has_settled && was_valid) break;
+      if (n_stalled > max_stalled_steps) break;
+      eps = next_eps(eps, worst, 1.0 - after / before);
       update_metric();
       worst = worst_determinant(points_);
     }
@@ -110,6 +115,13 @@ class Minimiser {
     unknown_.assign(points_.size(), -1);
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (is_used[i] && !fixed[i]) unknown_[i] = n_unknowns_++;
+  }
+
+  /// Garanzha et al., eq. 8: chi of the worst determinant falls by the part by which the energy fell.
+  double next_eps(double eps, double worst, double fall) const {
+    const double wished = (1.0 - std::max(fall, least_fall)) * chi(eps, worst);
+    if (worst >= wished) return eps_floor;
+    return std::max(eps_floor, 2.0 * std::sqrt(wished * (wished - worst)));
   }
 
   void update_metric() {

@@ -56,12 +56,6 @@ double mean_edge_ratio(const PlanarMesh& mesh, const Metric& metric) {
   return sum / std::max(1, mesh.n_cells());
 }
 
-/// How good a mesh is as a whole: the worst cell counts most.
-double score(const PlanarMesh& mesh, const Metric& metric) {
-  const PlanarQuality q = quality(mesh.points, mesh, metric);
-  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
-}
-
 PlanarMesh from_gmsh(const GmshMesh& made, const PlanarLoops& loops) {
   PlanarMesh mesh;
   mesh.points = made.points;
@@ -193,6 +187,11 @@ void fit_to_area(std::vector<double>& size, const PlanarMesh& mesh, const Metric
 
 }  // namespace
 
+double overall_quality(const PlanarMesh& mesh, const Metric& metric) {
+  const PlanarQuality q = quality(mesh.points, mesh, metric);
+  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
+}
+
 PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context) {
   std::vector<double> size = local_sizes(mesh, metric);
   fit_to_area(size, mesh, metric);
@@ -246,7 +245,7 @@ std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarM
 PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options, const Context& context) {
   std::vector<PlanarMesh> all = candidate_meshes(loops, options, {interior_angles(loops)}, context);
   const auto best = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
-    return score(a, options.metric) < score(b, options.metric);
+    return overall_quality(a, options.metric) < overall_quality(b, options.metric);
   });
   constexpr double worth_raising = 0.7;
   best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);

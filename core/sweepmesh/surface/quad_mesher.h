@@ -42,6 +42,9 @@ PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& option
 std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarMeshOptions& options,
                                          const BoundaryAngles& angles, const Context& context);
 
+/// How good a mesh is as a whole, by which candidates are compared: the worst cell counts most.
+double overall_quality(const PlanarMesh& mesh, const Metric& metric = {});
+
 /// The same connectivity with inside nodes moved towards cells that are regular and of the local boundary's
 /// size. What is valid stays valid.
 PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context);

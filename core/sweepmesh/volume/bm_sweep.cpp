@@ -7,8 +7,8 @@
 namespace sweepmesh {
 namespace {
 
-/// Where a node of a cap lies in the background mesh: triangle of columns, weights, and distance along
-/// the triangle's normal.
+/// Where a node of a cap lies in the background mesh: triangle of columns, weights, and distance
+/// along the triangle's normal.
 struct Spot {
   std::array<int, 3> triangle;
   Point3 weight;
@@ -32,14 +32,16 @@ struct Plane {
   Point2 operator()(const Point3& p) const { return {(p - origin).dot(u), (p - origin).dot(v)}; }
 };
 
-std::vector<std::array<int, 3>> background_mesh(const OneToOne& sweep, const Points& points, int k) {
+std::vector<std::array<int, 3>> background_mesh(const OneToOne& sweep, const Points& points,
+                                                int k) {
   const Plane plane(sweep, points, k);
   std::vector<Point2> flat;
   for (const int c : sweep.rim) flat.push_back(plane(sweep.at(points, c, k)));
   std::vector<std::vector<int>> loops = sweep.loops();
   for (auto& loop : loops)
     for (int& c : loop)
-      c = static_cast<int>(std::lower_bound(sweep.rim.begin(), sweep.rim.end(), c) - sweep.rim.begin());
+      c = static_cast<int>(std::lower_bound(sweep.rim.begin(), sweep.rim.end(), c) -
+                           sweep.rim.begin());
   std::vector<std::array<int, 3>> triangles = constrained_delaunay(flat, loops);
   for (auto& t : triangles)
     for (int& i : t) i = sweep.rim[i];
@@ -71,7 +73,8 @@ Spot locate(const OneToOne& sweep, const Points& points, const Plane& plane, int
   return spot;
 }
 
-Point3 place_in(const OneToOne& sweep, const Points& points, const Spot& spot, double offset, int k) {
+Point3 place_in(const OneToOne& sweep, const Points& points, const Spot& spot, double offset,
+                int k) {
   Point3 p = offset * normal_of(sweep, points, spot.triangle, k);
   for (int i = 0; i < 3; ++i) p += spot.weight[i] * sweep.at(points, spot.triangle[i], k);
   return p;
@@ -79,8 +82,9 @@ Point3 place_in(const OneToOne& sweep, const Points& points, const Spot& spot, d
 
 }  // namespace
 
-// The background mesh is made on the source (high) cap and carried to every layer. A node's weights come
-// from the source; its offset goes linearly from that of the source to that of its image on the target.
+// The background mesh is made on the source (high) cap and carried to every layer. A node's weights
+// come from the source; its offset goes linearly from that of the source to that of its image on
+// the target.
 void place_bm_sweep(const OneToOne& sweep, Points& points) {
   const auto triangles = background_mesh(sweep, points, sweep.k_high);
   const Plane plane(sweep, points, sweep.k_high);
@@ -89,7 +93,8 @@ void place_bm_sweep(const OneToOne& sweep, Points& points) {
     const Point3 low = sweep.at(points, column, sweep.k_low);
     const Spot spot = locate(sweep, points, plane, sweep.k_high, triangles, high);
     const Point3 foot = place_in(sweep, points, spot, 0.0, sweep.k_low);
-    const double low_offset = (low - foot).dot(normal_of(sweep, points, spot.triangle, sweep.k_low));
+    const double low_offset =
+        (low - foot).dot(normal_of(sweep, points, spot.triangle, sweep.k_low));
     for (int k = sweep.k_low + 1; k < sweep.k_high; ++k) {
       const double s = sweep.fraction[k - sweep.k_low];
       points.row(sweep.extrusion.node(column, k)) =

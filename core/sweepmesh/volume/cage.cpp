@@ -25,10 +25,12 @@ double angle_between(const Point3& a, const Point3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-double sign(double v) { return v < 0.0 ? -1.0 : v > 0.0 ? 1.0 : 0.0; }
+double sign(double v) {
+  return v < 0.0 ? -1.0 : v > 0.0 ? 1.0 : 0.0;
+}
 
-/// Adds the weights of one triangle for the point x (Ju, Schaefer, Warren 2005, figure 4). False: x lies
-/// on the triangle, and `weight` alone is the answer.
+/// Adds the weights of one triangle for the point x (Ju, Schaefer, Warren 2005, figure 4). False: x
+/// lies on the triangle, and `weight` alone is the answer.
 bool mean_value_weights(const Point3 (&p)[3], const Point3& x, Point3& weight) {
   constexpr double small = 1e-12;
   Point3 unit[3], d, theta, c, s;  // s: sine of the dihedral angles of the spherical triangle
@@ -48,7 +50,8 @@ bool mean_value_weights(const Point3 (&p)[3], const Point3& x, Point3& weight) {
   for (int i = 0; i < 3; ++i) {
     const double sines = std::sin(theta[(i + 1) % 3]) * std::sin(theta[(i + 2) % 3]);
     c[i] = 2.0 * std::sin(h) * std::sin(h - theta[i]) / sines - 1.0;
-    s[i] = determinant / sines;  // the same as the root of 1 - c^2, with its sign and all its digits
+    s[i] =
+        determinant / sines;  // the same as the root of 1 - c^2, with its sign and all its digits
     if (std::abs(s[i]) <= small) return true;  // in the triangle's plane, outside: no weight
   }
   for (int i = 0; i < 3; ++i) {
@@ -58,7 +61,8 @@ bool mean_value_weights(const Point3 (&p)[3], const Point3& x, Point3& weight) {
   return true;
 }
 
-/// Integral over a triangle with apex p (Lipman, Levin, Cohen-Or 2008, appendix; thesis algorithm 6).
+/// Integral over a triangle with apex p (Lipman, Levin, Cohen-Or 2008, appendix; thesis algorithm
+/// 6).
 double green_integral(const Point3& p, const Point3& v1, const Point3& v2, const Point3& eta) {
   constexpr double flat = 1e-20;  // square of an angle: the triangle is none
   const Point3 a = v2 - v1, b = p - v1, e = v1 - p, f = v2 - p;
@@ -69,9 +73,12 @@ double green_integral(const Point3& p, const Point3& v1, const Point3& v2, const
   if (lambda <= flat * b.squaredNorm()) return 0.0;
   const auto at = [&](double theta) {
     const double s = std::sin(theta), co = std::cos(theta), s2 = s * s;
-    const double first = 2.0 * std::sqrt(c) * std::atan2(std::sqrt(c) * co, std::sqrt(lambda + s2 * c));
-    // The published logarithm, with nothing left in it that cancels: 1 - co and 1 + co by half angles.
-    const double less = 2.0 * std::pow(std::sin(0.5 * theta), 2), more = 2.0 * std::pow(std::cos(0.5 * theta), 2);
+    const double first =
+        2.0 * std::sqrt(c) * std::atan2(std::sqrt(c) * co, std::sqrt(lambda + s2 * c));
+    // The published logarithm, with nothing left in it that cancels: 1 - co and 1 + co by half
+    // angles.
+    const double less = 2.0 * std::pow(std::sin(0.5 * theta), 2),
+                 more = 2.0 * std::pow(std::cos(0.5 * theta), 2);
     const double root = std::sqrt(lambda * lambda + lambda * c * s2);
     const double quotient = (c * less + lambda + root) / (c * more + lambda + root);
     const double logarithm = std::log(2.0 * std::sqrt(lambda) * more / less * quotient);
@@ -145,12 +152,16 @@ Cage make_cage(const OneToOne& sweep, const BaseMetric& metric, const Points& po
       if (k < sweep.k_high) ideal += metric.height_of(k) * direction;
     }
   }
-  const auto add = [&](long a, long b, long c) { cage.triangles.push_back({vertex[a], vertex[b], vertex[c]}); };
+  const auto add = [&](long a, long b, long c) {
+    cage.triangles.push_back({vertex[a], vertex[b], vertex[c]});
+  };
   for (int c = 0; c < x.n_cells(); ++c)
     for (int i = 1; i + 1 < x.cell_size(c); ++i) {
       const int* columns = x.cell_columns.data() + x.cell_offset[c];
-      add(x.node(columns[0], sweep.k_low), x.node(columns[i + 1], sweep.k_low), x.node(columns[i], sweep.k_low));
-      add(x.node(columns[0], sweep.k_high), x.node(columns[i], sweep.k_high), x.node(columns[i + 1], sweep.k_high));
+      add(x.node(columns[0], sweep.k_low), x.node(columns[i + 1], sweep.k_low),
+          x.node(columns[i], sweep.k_low));
+      add(x.node(columns[0], sweep.k_high), x.node(columns[i], sweep.k_high),
+          x.node(columns[i + 1], sweep.k_high));
     }
   for (const auto& [a, b] : sweep.rim_edges)
     for (int k = sweep.k_low; k < sweep.k_high; ++k) {
@@ -160,7 +171,8 @@ Cage make_cage(const OneToOne& sweep, const BaseMetric& metric, const Points& po
   return cage;
 }
 
-std::vector<Point3> mean_value_positions(const Cage& cage, ThreadTeam& team, const Context& context) {
+std::vector<Point3> mean_value_positions(const Cage& cage, ThreadTeam& team,
+                                         const Context& context) {
   return for_inner(cage, team, context, [&](const Point3& x) {
     Point3 sum = Point3::Zero();
     double total = 0.0;
@@ -204,10 +216,14 @@ std::vector<Point3> rbf_positions(const Cage& cage, ThreadTeam& team, const Cont
   constexpr int most = 4000;
   const int m = static_cast<int>(cage.ideal.size());
   if (m > most)
-    throw InputError("place", "Radial basis functions are solved densely, for up to " + std::to_string(most) +
-                                  " boundary nodes; this mesh has " + std::to_string(m) + ".");
-  const auto kernel = [](const Point3& a, const Point3& b) { return std::pow((a - b).squaredNorm(), 1.5); };
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(m + 4, m + 4), right = Eigen::MatrixXd::Zero(m + 4, 3);
+    throw InputError("place", "Radial basis functions are solved densely, for up to " +
+                                  std::to_string(most) + " boundary nodes; this mesh has " +
+                                  std::to_string(m) + ".");
+  const auto kernel = [](const Point3& a, const Point3& b) {
+    return std::pow((a - b).squaredNorm(), 1.5);
+  };
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(m + 4, m + 4),
+                  right = Eigen::MatrixXd::Zero(m + 4, 3);
   for (int i = 0; i < m; ++i) {
     for (int j = 0; j < i; ++j) matrix(i, j) = matrix(j, i) = kernel(cage.ideal[i], cage.ideal[j]);
     matrix.block<1, 3>(i, m) = cage.ideal[i].transpose();

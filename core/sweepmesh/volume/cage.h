@@ -20,12 +20,13 @@ struct Cage {
 Cage make_cage(const OneToOne& sweep, const BaseMetric& metric, const Points& points);
 
 /// Positions of the inner nodes, in their order. Cost: triangles (or vertices) times inner nodes.
-std::vector<Point3> mean_value_positions(const Cage& cage, ThreadTeam& team, const Context& context);
+std::vector<Point3> mean_value_positions(const Cage& cage, ThreadTeam& team,
+                                         const Context& context);
 std::vector<Point3> green_positions(const Cage& cage, ThreadTeam& team, const Context& context);
 /// Throws InputError for more than 4000 cage vertices (a dense matrix of their square).
 std::vector<Point3> rbf_positions(const Cage& cage, ThreadTeam& team, const Context& context);
-/// Grid of `n_cells` along the longest side of the prism, relaxed until values change by less than 1e-6
-/// of the cage's size in a sweep.
+/// Grid of `n_cells` along the longest side of the prism, relaxed until values change by less than
+/// 1e-6 of the cage's size in a sweep.
 std::vector<Point3> harmonic_grid_positions(const Cage& cage, int n_cells, const Context& context);
 
 }  // namespace sweepmesh

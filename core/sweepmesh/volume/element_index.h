@@ -1,4 +1,5 @@
-// Numbers of an extrusion's elements (cell by cell, from the lowest layer up), and elements around nodes.
+// Numbers of an extrusion's elements (cell by cell, from the lowest layer up), and elements around
+// nodes.
 #pragma once
 
 #include <algorithm>

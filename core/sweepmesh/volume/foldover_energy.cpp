@@ -10,7 +10,8 @@
 namespace sweepmesh {
 namespace {
 
-/// Patches with more free nodes are scaled by the diagonal alone: the factor would not fit in memory.
+/// Patches with more free nodes are scaled by the diagonal alone: the factor would not fit in
+/// memory.
 constexpr int largest_factored = 20000;
 
 Eigen::Matrix3d jacobian(const CornerTet& corner, const Points& x) {
@@ -81,7 +82,9 @@ void keep_in_planes(const UnfoldProblem& problem, Points& rows) {
   }
 }
 
-double product(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
+double product(const Points& a, const Points& b) {
+  return a.cwiseProduct(b).sum();
+}
 
 /// The pairs of steps and changes of gradient that L-BFGS remembers (Nocedal and Wright, 7.2).
 class Memory {
@@ -168,7 +171,8 @@ double foldover_energy(const UnfoldProblem& problem, const Points& x, double eps
     const double shape = trace / (3.0 * power), volume = 0.5 * (d * d + 1.0) / chi;
     energy += shape + volume_weight * volume;
     if (!gradient) continue;
-    const double by_d = -2.0 / 3.0 * shape * slope / chi + volume_weight * (d - volume * slope) / chi;
+    const double by_d =
+        -2.0 / 3.0 * shape * slope / chi + volume_weight * (d - volume * slope) / chi;
     add_to_nodes(corner, problem.n_free, (2.0 / (3.0 * power)) * j + by_d * cofactor, *gradient);
   }
   if (gradient) keep_in_planes(problem, *gradient);
@@ -185,15 +189,23 @@ double least_determinant(const UnfoldProblem& problem, const Points& x) {
 double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options) {
   constexpr double smallest_eps = 1e-6;
   const FirstMatrix first(problem);
+  constexpr int most_idle = 3;  // rounds that unfold nothing more
   double least = least_determinant(problem, x), last = 0.0;
+  int n_idle = 0;
   for (int round = 0; round < options.max_rounds; ++round) {
     // The schedule of the paper's listing: eps follows the worst determinant down.
     const double folded = std::min(least, 0.0);
     const double eps = std::sqrt(smallest_eps * smallest_eps + 0.04 * folded * folded);
     const double energy = descend(problem, first, eps, options, x);
+    const double before = least;
     least = least_determinant(problem, x);
-    const bool has_settled = round > 0 && std::abs(last - energy) <= options.stop_at_decrease * last;
+    const bool has_settled =
+        round > 0 && std::abs(last - energy) <= options.stop_at_decrease * last;
     if (least > 0.0 && has_settled) break;
+    n_idle = least <= 0.0 && least <= before + options.stop_at_decrease * std::abs(before)
+                 ? n_idle + 1
+                 : 0;
+    if (n_idle == most_idle) break;
     last = energy;
   }
   return least;

@@ -10,8 +10,8 @@ namespace {
 
 enum class Tag : char { untyped, boundary, interior, exterior };
 
-/// A regular grid of cells around the cage. A value is a deformed position: the sum over cage vertices of
-/// their harmonic coordinate times where they are, by linearity of the Laplacian.
+/// A regular grid of cells around the cage. A value is a deformed position: the sum over cage
+/// vertices of their harmonic coordinate times where they are, by linearity of the Laplacian.
 class Grid {
  public:
   Grid(const Cage& cage, int n_cells) {
@@ -37,7 +37,8 @@ class Grid {
       const int n = 1 + static_cast<int>(3.0 * longest / h_);
       for (int a = 0; a <= n; ++a)
         for (int b = 0; a + b <= n; ++b) {
-          const Point3 w(static_cast<double>(a) / n, static_cast<double>(b) / n, static_cast<double>(n - a - b) / n);
+          const Point3 w(static_cast<double>(a) / n, static_cast<double>(b) / n,
+                         static_cast<double>(n - a - b) / n);
           Point3 p = Point3::Zero(), q = p;
           for (int i = 0; i < 3; ++i) {
             p += w[i] * cage.ideal[t[i]];

@@ -10,8 +10,47 @@
 
 namespace sweepmesh::kernels {
 
-SWEEPMESH_WIDE void scale_to(float* __restrict y, const float* __restrict x, float a, long n) {
-  for (long i = 0; i < n; ++i) y[i] = a * x[i];
+namespace {
+
+/// Eight floats at any address; the compiler takes one register or two for them.
+using Eight [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+
+const Eight& eight(const float* p) {
+  return *reinterpret_cast<const Eight*>(p);
+}
+Eight& eight(float* p) {
+  return *reinterpret_cast<Eight*>(p);
+}
+
+}  // namespace
+
+SWEEPMESH_WIDE void weighted_sum(float* y, const float* const* x, const float* a, int m,
+                                 const float* s, long n) {
+  long i = 0;
+  for (; i + 32 <= n; i += 32) {  // the sums stay in registers over all j
+    Eight s0 = {}, s1 = {}, s2 = {}, s3 = {};
+    for (int j = 0; j < m; ++j) {
+      const float* p = x[j] + i;
+      s0 += a[j] * eight(p);
+      s1 += a[j] * eight(p + 8);
+      s2 += a[j] * eight(p + 16);
+      s3 += a[j] * eight(p + 24);
+    }
+    eight(y + i) = s0 * eight(s + i);
+    eight(y + i + 8) = s1 * eight(s + i + 8);
+    eight(y + i + 16) = s2 * eight(s + i + 16);
+    eight(y + i + 24) = s3 * eight(s + i + 24);
+  }
+  for (; i + 8 <= n; i += 8) {
+    Eight sum = {};
+    for (int j = 0; j < m; ++j) sum += a[j] * eight(x[j] + i);
+    eight(y + i) = sum * eight(s + i);
+  }
+  for (; i < n; ++i) {
+    float sum = 0.0f;
+    for (int j = 0; j < m; ++j) sum += a[j] * x[j][i];
+    y[i] = s[i] * sum;
+  }
 }
 
 SWEEPMESH_WIDE void add_scaled(float* __restrict y, const float* __restrict x, float a, long n) {
@@ -24,10 +63,6 @@ SWEEPMESH_WIDE void scale_and_add(float* __restrict y, const float* __restrict x
 
 SWEEPMESH_WIDE void subtract(float* __restrict y, const float* __restrict x, long n) {
   for (long i = 0; i < n; ++i) y[i] -= x[i];
-}
-
-SWEEPMESH_WIDE void multiply(float* __restrict y, const float* __restrict x, long n) {
-  for (long i = 0; i < n; ++i) y[i] *= x[i];
 }
 
 SWEEPMESH_WIDE void add_product(float* __restrict y, const float* __restrict x,

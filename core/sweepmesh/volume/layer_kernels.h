@@ -3,12 +3,13 @@
 
 namespace sweepmesh::kernels {
 
-void scale_to(float* y, const float* x, float a, long n);                     ///< y = a x
 void add_scaled(float* y, const float* x, float a, long n);                   ///< y += a x
 void scale_and_add(float* y, const float* x, float a, long n);                ///< y = a y + x
 void subtract(float* y, const float* x, long n);                              ///< y -= x
 void multiply(float* y, const float* x, long n);                              ///< y *= x
 void add_product(float* y, const float* x, const float* s, float a, long n);  ///< y += a s x
+/// y = s (sum over j < m of a[j] x[j]), where x[j] points to n floats.
+void weighted_sum(float* y, const float* const* x, const float* a, int m, const float* s, long n);
 double dot(const float* x, const float* y, long n);
 
 /// For every layer i of n / 3: y[i] += s[i] (lower x[i] - across x[i + 1]) and

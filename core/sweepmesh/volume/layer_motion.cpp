@@ -45,7 +45,7 @@ struct Slab {
   int k_low, k_high;
   std::vector<int> part;  ///< per column: connected part of the section, or -1
   /// Per part: maps from k_low to k_low .. k_high; empty where no fit exists.
-  std::vector<std::vector<Affine>> motion;
+  std::vector<std::vector<AffineMap>> motion;
 };
 
 std::vector<int> levels_of(const Extrusion& x) {
@@ -82,10 +82,10 @@ bool is_fixed_between(const Extrusion& x, const std::vector<char>& fixed, int co
   return std::all_of(first, first + (high - low + 1), [](char f) { return f != 0; });
 }
 
-std::vector<Affine> fit_layers(const Extrusion& x, const Points& points, const Slab& slab,
-                               const std::vector<int>& loop) {
+std::vector<AffineMap> fit_layers(const Extrusion& x, const Points& points, const Slab& slab,
+                                  const std::vector<int>& loop) {
   std::vector<Point3> from(loop.size()), to(loop.size());
-  std::vector<Affine> motion(1);
+  std::vector<AffineMap> motion(1);
   for (std::size_t i = 0; i < loop.size(); ++i) from[i] = points.row(x.node(loop[i], slab.k_low));
   for (int k = slab.k_low + 1; k <= slab.k_high; ++k) {
     for (std::size_t i = 0; i < loop.size(); ++i) to[i] = points.row(x.node(loop[i], k));
@@ -111,30 +111,30 @@ std::vector<Slab> make_slabs(const Extrusion& x, const std::vector<char>& fixed,
 }
 
 /// Maps from the low end of a block to each of its levels; empty where a slab has no fit.
-std::vector<Affine> chain(const std::vector<Slab>& slabs, const Block& block, int column) {
-  std::vector<Affine> maps(1);
+std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const MotionBlock& block, int column) {
+  std::vector<AffineMap> maps(1);
   for (const Slab& slab : slabs) {
     if (slab.k_high <= block.k_low || slab.k_low >= block.k_high) continue;
-    const std::vector<Affine>& motion = slab.motion[slab.part[column]];
+    const std::vector<AffineMap>& motion = slab.motion[slab.part[column]];
     if (motion.empty()) return {};
-    const Affine start = maps.back();
+    const AffineMap start = maps.back();
     for (std::size_t k = 1; k < motion.size(); ++k) maps.push_back(motion[k].after(start));
   }
   return maps;
 }
 
 void set_blends(const std::vector<Slab>& slabs, const BaseMetric& metric, int column,
-                Block& block) {
+                MotionBlock& block) {
   const int n = block.k_high - block.k_low;
-  std::vector<Affine> maps = chain(slabs, block, column);
+  std::vector<AffineMap> maps = chain(slabs, block, column);
   block.has_loops = !maps.empty();
-  if (!block.has_loops) maps.assign(n + 1, Affine());
-  const Affine back = maps.back().inverse();
+  if (!block.has_loops) maps.assign(n + 1, AffineMap());
+  const AffineMap back = maps.back().inverse();
   std::vector<double> height(n + 1, 0.0);
   for (int k = 0; k < n; ++k) height[k + 1] = height[k] + metric.height_of(block.k_low + k);
   for (int k = 0; k <= n; ++k) {
     const double s = height[k] / height[n];
-    const Affine down = maps[k].after(back);
+    const AffineMap down = maps[k].after(back);
     block.blend.push_back(
         {(1 - s) * maps[k].matrix, s * down.matrix, (1 - s) * maps[k].shift + s * down.shift});
   }
@@ -193,7 +193,7 @@ void check_ends(const Extrusion& x, const std::vector<char>& fixed) {
 
 }  // namespace
 
-bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, Affine& map) {
+bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, AffineMap& map) {
   if (from.size() < 3) return false;
   const Point3 c = mean_of(from), d = mean_of(to);
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero(), f = Eigen::Matrix3d::Zero();
@@ -227,19 +227,19 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
   list_blocks_of_columns(extrusion, motion);
   const std::vector<Slab> slabs = make_slabs(extrusion, fixed, points);
   for (int c = 0; c < extrusion.n_cells(); ++c) {
-    Block& block = motion.blocks[motion.cell_block[c]];
+    MotionBlock& block = motion.blocks[motion.cell_block[c]];
     if (block.blend.empty())
       set_blends(slabs, metric, extrusion.cell_columns[extrusion.cell_offset[c]], block);
   }
   return motion;
 }
 
-void predict(const Extrusion& extrusion, const Points& points, const Block& block, int column,
+void predict(const Extrusion& extrusion, const Points& points, const MotionBlock& block, int column,
              int k_begin, int k_end, Point3* out) {
   const Point3 low = points.row(extrusion.node(column, block.k_low));
   const Point3 high = points.row(extrusion.node(column, block.k_high));
   for (int k = k_begin; k < k_end; ++k) {
-    const Blend& b = block.blend[k - block.k_low];
+    const MotionBlend& b = block.blend[k - block.k_low];
     *out++ = b.low * low + b.high * high + b.shift;
   }
 }

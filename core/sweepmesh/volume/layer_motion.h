@@ -24,39 +24,39 @@
 namespace sweepmesh {
 
 /// x -> matrix x + shift.
-struct Affine {
+struct AffineMap {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   Point3 shift = Point3::Zero();
 
   Point3 operator()(const Point3& p) const { return matrix * p + shift; }
-  Affine after(const Affine& first) const {
+  AffineMap after(const AffineMap& first) const {
     return {matrix * first.matrix, matrix * first.shift + shift};
   }
-  Affine inverse() const {
+  AffineMap inverse() const {
     const Eigen::Matrix3d m = matrix.inverse();
     return {m, -m * shift};
   }
 };
 
-/// Affine map that carries the points `from` best to `to` (least squares), or false when they lie
-/// on a line or the map is singular. Planar sets: see above.
-bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, Affine& map);
+/// AffineMap map that carries the points `from` best to `to` (least squares), or false when they
+/// lie on a line or the map is singular. Planar sets: see above.
+bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, AffineMap& map);
 
 /// Prediction of a block at one level: low * (node at the low end) + high * (at the high end) +
 /// shift.
-struct Blend {
+struct MotionBlend {
   Eigen::Matrix3d low, high;
   Point3 shift;
 };
 
-struct Block {
+struct MotionBlock {
   int k_low = 0, k_high = 0;
-  std::vector<Blend> blend;  ///< per level k_low .. k_high
-  bool has_loops = false;    ///< false: linear between the ends
+  std::vector<MotionBlend> blend;  ///< per level k_low .. k_high
+  bool has_loops = false;          ///< false: linear between the ends
 };
 
 struct LayerMotion {
-  std::vector<Block> blocks;
+  std::vector<MotionBlock> blocks;
   std::vector<int> cell_block;
   /// Blocks of every column in compressed rows, ascending.
   std::vector<int> column_offset, column_blocks;
@@ -67,7 +67,7 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
                               const Points& points, const BaseMetric& metric);
 
 /// Predictions of `column` in `block` for the levels k_begin .. k_end - 1, written to `out`.
-void predict(const Extrusion& extrusion, const Points& points, const Block& block, int column,
+void predict(const Extrusion& extrusion, const Points& points, const MotionBlock& block, int column,
              int k_begin, int k_end, Point3* out);
 
 }  // namespace sweepmesh

@@ -109,6 +109,7 @@ void for_layers(const LayeredSystem& s, int low, int high, F&& f) {
 
 void Level::apply(const float* x, int column, float* y) const {
   const int low = s_.low[column], high = s_.high[column];
+  thread_local std::vector<const float*> streams;
   std::fill(y, y + length(column), 0.0f);
   for (int t = 0; t < s_.n_bands(); ++t) {
     const BaseRows& rows = s_.rows[t];
@@ -117,10 +118,11 @@ void Level::apply(const float* x, int column, float* y) const {
     if (first >= last || rows.diagonal[column] == 0.0f) continue;
     const long n = 3L * (last - first);
     float* out = s_.at(y - s_.offset[column], column, first);
-    kernels::scale_to(out, s_.at(x, column, first), rows.diagonal[column], n);
+    streams.clear();
     for (int e = rows.offset[column]; e < rows.offset[column + 1]; ++e)
-      kernels::add_scaled(out, s_.at(x, rows.neighbour[e], first), rows.weight[e], n);
-    kernels::multiply(out, s_.share.data() + 3L * first, n);
+      streams.push_back(s_.at(x, rows.neighbour[e], first));
+    kernels::weighted_sum(out, streams.data(), rows.weight.data() + rows.offset[column],
+                          static_cast<int>(streams.size()), s_.share.data() + 3L * first, n);
   }
   const float* in = x + s_.offset[column] - 3L * low;
   float* out = y - 3L * low;
@@ -176,7 +178,7 @@ void Level::find_radius() {
       if (rows.diagonal[c] <= 0.0f) continue;
       double sum = 0.0;
       for (int e = rows.offset[c]; e < rows.offset[c + 1]; ++e) sum += std::abs(rows.weight[e]);
-      radius_ = std::max(radius_, 1.0 + sum / rows.diagonal[c]);
+      radius_ = std::max(radius_, sum / rows.diagonal[c]);
     }
 }
 

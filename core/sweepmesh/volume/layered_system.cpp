@@ -80,17 +80,15 @@ LayerClass layer_class(const Extrusion& x, const BaseMetric& metric, int k,
 BaseRows rows_of(const BaseMatrix& matrix) {
   BaseRows rows;
   rows.offset.push_back(0);
+  rows.diagonal.assign(matrix.rows(), 0.0f);
   for (int c = 0; c < matrix.rows(); ++c) {
-    double diagonal = 0.0;
-    for (BaseMatrix::InnerIterator entry(matrix, c); entry; ++entry) {
-      if (entry.col() == c) {
-        diagonal = entry.value();
-      } else if (entry.value() != 0.0) {
+    for (const bool is_diagonal : {true, false})
+      for (BaseMatrix::InnerIterator entry(matrix, c); entry; ++entry) {
+        if ((entry.col() == c) != is_diagonal || entry.value() == 0.0) continue;
         rows.neighbour.push_back(static_cast<int>(entry.col()));
         rows.weight.push_back(static_cast<float>(entry.value()));
+        if (is_diagonal) rows.diagonal[c] = rows.weight.back();
       }
-    }
-    rows.diagonal.push_back(static_cast<float>(diagonal));
     rows.offset.push_back(static_cast<int>(rows.neighbour.size()));
   }
   return rows;
@@ -243,11 +241,16 @@ LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongati
   s.spring = f.spring;
   s.band_begin = f.band_begin;
   const Eigen::VectorXd row_sum = prolongation * Eigen::VectorXd::Ones(prolongation.cols());
+  const BaseMatrix transposed = prolongation.transpose();
   const auto restricted = [&](const std::vector<float>& mass) {
-    Eigen::VectorXd v(mass.size());
-    for (std::size_t c = 0; c < mass.size(); ++c) v[c] = mass[c] * row_sum[c];
-    const Eigen::VectorXd r = prolongation.transpose() * v;
-    return std::vector<float>(r.data(), r.data() + r.size());
+    std::vector<float> out(transposed.rows(), 0.0f);
+    for (int c = 0; c < transposed.rows(); ++c) {
+      double sum = 0.0;
+      for (BaseMatrix::InnerIterator entry(transposed, c); entry; ++entry)
+        sum += entry.value() * mass[entry.col()] * row_sum[entry.col()];
+      out[c] = static_cast<float>(sum);
+    }
+    return out;
   };
   for (int t = 0; t < f.n_bands(); ++t) {
     // Rows of the prolongation that are not free in this band drop out, since their matrix rows are

@@ -29,10 +29,10 @@ struct LayerClass {
   std::vector<float> across, lower, upper;
 };
 
-/// Rows of a base matrix as the sweeps over memory want them.
+/// Rows of a base matrix as the sweeps over memory want them: the diagonal first in every row.
 struct BaseRows {
   std::vector<int> offset, neighbour;
-  std::vector<float> weight;    ///< of the neighbours; what A has there
+  std::vector<float> weight;
   std::vector<float> diagonal;  ///< 0: not free in this band
 };
 

@@ -11,7 +11,8 @@ namespace sweepmesh {
 namespace {
 
 [[noreturn]] void refuse(const char* why) {
-  throw InputError("place", std::string("This method of placement is for one-to-one sweeps only: ") + why);
+  throw InputError("place",
+                   std::string("This method of placement is for one-to-one sweeps only: ") + why);
 }
 
 std::vector<std::array<int, 2>> find_rim_edges(const Extrusion& x) {
@@ -93,7 +94,8 @@ std::vector<std::vector<int>> OneToOne::loops() const {
 Point3 OneToOne::rim_area(const Points& points, int k) const {
   const Point3 origin = at(points, rim_edges.front()[0], k);
   Point3 sum = Point3::Zero();
-  for (const auto& [a, b] : rim_edges) sum += (at(points, a, k) - origin).cross(at(points, b, k) - origin);
+  for (const auto& [a, b] : rim_edges)
+    sum += (at(points, a, k) - origin).cross(at(points, b, k) - origin);
   return 0.5 * sum;
 }
 
@@ -182,7 +184,8 @@ void place_boundary_error(const OneToOne& sweep, Points& points, ThreadTeam& tea
       for (long i = begin; i < last; ++i) {
         const Point3 own = sweep.at(points, sweep.inner[i], end);
         double sum = 0.0;
-        for (std::size_t j = 0; j < rim.size(); ++j) sum += weight[j] = 1.0 / (own - rim[j]).squaredNorm();
+        for (std::size_t j = 0; j < rim.size(); ++j)
+          sum += weight[j] = 1.0 / (own - rim[j]).squaredNorm();
         for (int k = 1; k < n_layers; ++k) {
           Point3 p = map[k](own);
           for (std::size_t j = 0; j < rim.size(); ++j) p += weight[j] / sum * error[k][j];

@@ -30,8 +30,8 @@ struct OneToOne {
   Point3 rim_area(const Points& points, int k) const;
 };
 
-/// Throws InputError when the extrusion is no one-to-one sweep, or its boundary is not just the two caps
-/// and the linking columns.
+/// Throws InputError when the extrusion is no one-to-one sweep, or its boundary is not just the two
+/// caps and the linking columns.
 OneToOne make_one_to_one(const Extrusion& extrusion, const std::vector<char>& fixed,
                          const BaseMetric& metric);
 
@@ -50,8 +50,8 @@ struct LoopMap {
   Point3 operator()(const Point3& p) const { return matrix * p + shift; }
 };
 
-/// Fits the loop at level `from` to that at level `to` with one of Roca's functionals (thesis 2.3 to 2.5);
-/// directions that the data say nothing of are mapped to nothing (least norm).
+/// Fits the loop at level `from` to that at level `to` with one of Roca's functionals (thesis 2.3
+/// to 2.5); directions that the data say nothing of are mapped to nothing (least norm).
 LoopMap fit_loops(const OneToOne& sweep, const Points& points, int from, int to,
                   Functional functional);
 

@@ -57,8 +57,8 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
 }
 
 [[noreturn]] void throw_invalid(const std::vector<long>& elements, const char* cause) {
-  throw InvalidMeshError("place", std::to_string(elements.size()) + " elements stay inverted: " + cause,
-                         {}, elements);
+  throw InvalidMeshError(
+      "place", std::to_string(elements.size()) + " elements stay inverted: " + cause, {}, elements);
 }
 
 /// Untangles the elements that are not positive; throws when some stay so.

@@ -27,7 +27,8 @@ struct PlacementOptions {
   double reduction = 1e-4;
   /// Elements with a scaled Jacobian up to this are improved, once all are positive; in 0..1.
   double improve_up_to = 0.2;
-  /// Attempts to untangle, each with twice the rings of neighbours; 0 leaves inverted elements alone.
+  /// Attempts to untangle, each with twice the rings of neighbours; 0 leaves inverted elements
+  /// alone.
   int max_attempts = 5;
   /// Fixed nodes that untangling and improving may move within a plane. Empty: none.
   std::vector<SlidingNode> sliding;
@@ -37,10 +38,11 @@ struct PlacementReport {
   double largest_residual = 0.0;  ///< of the boundary against the affine motion, a length
   bool was_solved = false;        ///< false: the affine motion was enough
   int n_iterations = 0;
-  /// Elements that are not positive; none unless untangling is switched off or the method an older one.
+  /// Elements that are not positive; none unless untangling is switched off or the method an older
+  /// one.
   std::vector<long> inverted;
-  long n_inverted_before = 0;      ///< elements that had to be untangled
-  long n_poor_before = 0;          ///< elements that were to be improved
+  long n_inverted_before = 0;  ///< elements that had to be untangled
+  long n_poor_before = 0;      ///< elements that were to be improved
   double min_scaled_jacobian = 1.0;
 };
 
@@ -50,8 +52,9 @@ struct PlacementReport {
 /// threads.
 ///
 /// Linear in the number of nodes, about 120 bytes a node beside `points` while it solves. Throws
-/// InputError, SolverError, Cancelled, and InvalidMeshError with the elements (numbered cell by cell, from
-/// the lowest layer up) that stay inverted after untangling; `points` then hold the best that was found.
+/// InputError, SolverError, Cancelled, and InvalidMeshError with the elements (numbered cell by
+/// cell, from the lowest layer up) that stay inverted after untangling; `points` then hold the best
+/// that was found.
 PlacementReport place_interior(const Extrusion& extrusion, const std::vector<char>& fixed,
                                Points& points, const PlacementOptions& options, Context& context);
 

@@ -29,8 +29,9 @@ std::vector<Point3> cage_positions(PlacementMethod method, const Cage& cage, Thr
 const std::vector<PlacementMethod>& all_placement_methods() {
   using enum PlacementMethod;
   static const std::vector<PlacementMethod> all = {
-      harmonic_residual, layer_affine, knupp_affine,   least_squares_f, least_squares_g, least_squares_h,
-      bm_sweep,          boundary_error, mean_value,   green,           triharmonic_rbf, harmonic_grid};
+      harmonic_residual, layer_affine,    knupp_affine,    least_squares_f,
+      least_squares_g,   least_squares_h, bm_sweep,        boundary_error,
+      mean_value,        green,           triharmonic_rbf, harmonic_grid};
   return all;
 }
 
@@ -65,13 +66,14 @@ std::string name_of(PlacementMethod method) {
 }
 
 void place_by_older_method(PlacementMethod method, const Extrusion& extrusion,
-                           const std::vector<char>& fixed, const BaseMetric& metric,
-                           Points& points, ThreadTeam& team, const Context& context) {
+                           const std::vector<char>& fixed, const BaseMetric& metric, Points& points,
+                           ThreadTeam& team, const Context& context) {
   const OneToOne sweep = make_one_to_one(extrusion, fixed, metric);
   switch (method) {
     case PlacementMethod::harmonic_residual:
     case PlacementMethod::layer_affine:
-      set_predictions(extrusion, make_layer_motion(extrusion, fixed, points, metric), fixed, points, team);
+      set_predictions(extrusion, make_layer_motion(extrusion, fixed, points, metric), fixed, points,
+                      team);
       return;
     case PlacementMethod::knupp_affine:
       return place_knupp(sweep, points);

@@ -85,7 +85,7 @@ void set_mean_predictions(const Extrusion& x, const LayerMotion& motion,
   std::vector<Point3> sum(x.k_high[column] - x.k_low[column] + 1, Point3::Zero()), one(sum.size());
   std::vector<int> count(sum.size(), 0);
   for (int i = motion.column_offset[column]; i < motion.column_offset[column + 1]; ++i) {
-    const Block& block = motion.blocks[motion.column_blocks[i]];
+    const MotionBlock& block = motion.blocks[motion.column_blocks[i]];
     predict(x, points, block, column, block.k_low, block.k_high + 1, one.data());
     for (int k = block.k_low; k <= block.k_high; ++k) {
       sum[k - x.k_low[column]] += one[k - block.k_low];
@@ -109,13 +109,13 @@ void set_predictions(const Extrusion& extrusion, const LayerMotion& motion,
         set_mean_predictions(extrusion, motion, fixed, c, points);
         continue;
       }
-      const Block& block = motion.blocks[motion.column_blocks[first]];
+      const MotionBlock& block = motion.blocks[motion.column_blocks[first]];
       const Point3 low = points.row(extrusion.node(c, block.k_low));
       const Point3 high = points.row(extrusion.node(c, block.k_high));
       for (int k = block.k_low + 1; k < block.k_high; ++k) {
         const long node = extrusion.node(c, k);
         if (fixed[node]) continue;
-        const Blend& b = block.blend[k - block.k_low];
+        const MotionBlend& b = block.blend[k - block.k_low];
         points.row(node) = b.low * low + b.high * high + b.shift;
       }
     }
@@ -129,7 +129,7 @@ Residuals find_residuals(const Extrusion& extrusion, const LayerMotion& motion,
     const int first = motion.column_offset[c], last = motion.column_offset[c + 1];
     for (int i = first; i < last; ++i) {
       const int b = motion.column_blocks[i];
-      const Block& block = motion.blocks[b];
+      const MotionBlock& block = motion.blocks[b];
       const auto inner = fixed.begin() + extrusion.node(c, block.k_low) + 1;
       const bool is_bound = std::any_of(inner, inner + (block.k_high - block.k_low - 1),
                                         [](char f) { return f != 0; });

@@ -166,13 +166,14 @@ struct PatchProblem {
     };
     double volume = 0.0, ideal_volume = 0.0;
     for (const long e : patch.elements)
-      ideal.for_corners(index.element(e), [&](long o, long a, long b, long c, const Eigen::Matrix3d& w) {
-        const Point3 p = points.row(o);
-        const Point3 pa = points.row(a), pb = points.row(b), pc = points.row(c);
-        volume += (pa - p).cross(pb - p).dot(pc - p);
-        ideal_volume += w.determinant();
-        problem.corners.push_back({{local(o), local(a), local(b), local(c)}, w.inverse()});
-      });
+      ideal.for_corners(
+          index.element(e), [&](long o, long a, long b, long c, const Eigen::Matrix3d& w) {
+            const Point3 p = points.row(o);
+            const Point3 pa = points.row(a), pb = points.row(b), pc = points.row(c);
+            volume += (pa - p).cross(pb - p).dot(pc - p);
+            ideal_volume += w.determinant();
+            problem.corners.push_back({{local(o), local(a), local(b), local(c)}, w.inverse()});
+          });
     for (const SlidingNode& s : sliding) {
       const long i = position_in(patch.free_nodes, s.node);
       if (i < problem.n_free && patch.free_nodes[i] == s.node)
@@ -234,10 +235,15 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
   const PatchFinder finder(index, is_held);
   UntangleReport report;
   report.remaining = elements;
+  std::size_t last_size = 0;
   for (int rings = options.first_rings; report.n_attempts < options.max_attempts; rings *= 2) {
     if (report.remaining.empty()) break;
     ++report.n_attempts;
     const std::vector<Patch> patches = finder.find(report.remaining, rings);
+    std::size_t size = 0;
+    for (const Patch& patch : patches) size += patch.elements.size();
+    if (size == last_size) break;  // rings have reached the ends of the mesh
+    last_size = size;
     team.for_chunks(static_cast<long>(patches.size()), 1, [&](long p, long, long) {
       context.check("place");
       mend(extrusion, metric, index, patches[p], options, points);
@@ -273,7 +279,8 @@ std::vector<long> hopeless_elements(const Extrusion& extrusion, const std::vecto
                                 extrusion.node(columns[i], up ? e.k : e.k + 1)};
         if (!std::all_of(corner, corner + 4, [&](long c) { return fixed[c] != 0; })) continue;
         const Point3 o = points.row(corner[0]);
-        const Point3 a = points.row(corner[1]), b = points.row(corner[2]), c = points.row(corner[3]);
+        const Point3 a = points.row(corner[1]), b = points.row(corner[2]),
+                     c = points.row(corner[3]);
         is_hopeless = is_hopeless || !(normalised_determinant(a - o, b - o, c - o) > 0.0);
       }
     if (is_hopeless) hopeless.push_back(number);

@@ -1,10 +1,11 @@
-// Unfolds inverted elements of an extrusion, and improves poor ones, by moving free nodes near them.
+// Unfolds inverted elements of an extrusion, and improves poor ones, by moving free nodes near
+// them.
 //
 // Elements at or below a threshold, and rings of neighbours around them, form patches; in each the
-// regularised elliptic energy (foldover_energy.h) is minimised over the free nodes, all others held. The
-// ideal element comes from the intrinsic idealised model: lengths of the base mesh between those of the
-// run's two ends, heights of the layers, right (or regular) angles. What stays inverted is tried again
-// with twice the rings.
+// regularised elliptic energy (foldover_energy.h) is minimised over the free nodes, all others
+// held. The ideal element comes from the intrinsic idealised model: lengths of the base mesh
+// between those of the run's two ends, heights of the layers, right (or regular) angles. What stays
+// inverted is tried again with twice the rings.
 #pragma once
 
 #include <vector>
@@ -35,15 +36,15 @@ struct UntangleOptions {
 
 struct UntangleReport {
   int n_attempts = 0;
-  long n_moved = 0;                ///< nodes that were free to move in the last attempt
-  std::vector<long> remaining;     ///< elements that stay at or below the threshold
+  long n_moved = 0;             ///< nodes that were free to move in the last attempt
+  std::vector<long> remaining;  ///< elements that stay at or below the threshold
 };
 
 /// Moves free nodes of `points` until none of `elements` (those at or below the threshold, as
 /// check_elements lists them) is left, or attempts run out. A
-/// patch is only taken over when it is better than before: fewer elements at or below the threshold, or as
-/// many and a greater least scaled Jacobian; a positive least value never falls. The result does
-/// not depend on the number of threads. Throws Cancelled.
+/// patch is only taken over when it is better than before: fewer elements at or below the
+/// threshold, or as many and a greater least scaled Jacobian; a positive least value never falls.
+/// The result does not depend on the number of threads. Throws Cancelled.
 UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
                         const std::vector<char>& fixed, Points& points,
                         const UntangleOptions& options, const std::vector<long>& elements,

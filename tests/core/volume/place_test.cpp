@@ -106,12 +106,13 @@ Map moving_hole(double turn, double shift, double growth) {
   };
 }
 
-/// The energy of thesis-like harmonic coordinates, assembled node by node from the metric alone: another route to
-/// the operator that the solver never forms.
+/// The energy of thesis-like harmonic coordinates, assembled node by node from the metric alone:
+/// another route to the operator that the solver never forms.
 Eigen::SparseMatrix<double> assembled(const Extrusion& x, const BaseMetric& metric) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto spring = [&](long a, long b, double w) {
-    for (const auto& [i, j, v] : {std::tuple(a, a, w), {b, b, w}, {a, b, -w}, {b, a, -w}}) entries.emplace_back(i, j, v);
+    for (const auto& [i, j, v] : {std::tuple(a, a, w), {b, b, w}, {a, b, -w}, {b, a, -w}})
+      entries.emplace_back(i, j, v);
   };
   for (int c = 0; c < x.n_cells(); ++c) {
     const int n = x.cell_size(c), *columns = x.cell_columns.data() + x.cell_offset[c];
@@ -119,10 +120,12 @@ Eigen::SparseMatrix<double> assembled(const Extrusion& x, const BaseMetric& metr
       const double h = metric.height_of(k);
       long pair = metric.pair_offset[c];
       for (int i = 0; i < n; ++i) {
-        spring(x.node(columns[i], k), x.node(columns[i], k + 1), metric.corner_mass[x.cell_offset[c] + i] / h);
+        spring(x.node(columns[i], k), x.node(columns[i], k + 1),
+               metric.corner_mass[x.cell_offset[c] + i] / h);
         for (int j = i + 1; j < n; ++j, ++pair)
           for (const int end : {k, k + 1})
-            spring(x.node(columns[i], end), x.node(columns[j], end), 0.5 * h * metric.pair_weight[pair]);
+            spring(x.node(columns[i], end), x.node(columns[j], end),
+                   0.5 * h * metric.pair_weight[pair]);
       }
     }
   }
@@ -132,14 +135,16 @@ Eigen::SparseMatrix<double> assembled(const Extrusion& x, const BaseMetric& metr
 }
 
 TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
-  for (const Base& base : {make_square_with_hole(12, 4), with_triangles(make_square_with_hole(12, 4))}) {
+  for (const Base& base :
+       {make_square_with_hole(12, 4), with_triangles(make_square_with_hole(12, 4))}) {
     const Solid solid = make_solid(base, 9, moving_hole(0.3, 0.7, 0.1));
     Points points = solid.input();
     PlacementOptions options;
     options.reduction = 1e-6;
     options.improve_up_to = -1.0;
     Context context;
-    const PlacementReport report = place_interior(solid.extrusion, solid.fixed, points, options, context);
+    const PlacementReport report =
+        place_interior(solid.extrusion, solid.fixed, points, options, context);
     EXPECT_TRUE(report.was_solved);
     // The correction of the affine motion, not the position, is what is harmonic.
     ThreadTeam team;
@@ -149,19 +154,22 @@ TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
     std::vector<Point3> column(10);
     for (int c = 0; c < solid.extrusion.n_columns(); ++c) {
       predict(solid.extrusion, points, motion.blocks[0], c, 0, 10, column.data());
-      for (int k = 0; k < 10; ++k) correction.row(solid.extrusion.node(c, k)) -= column[k].transpose();
+      for (int k = 0; k < 10; ++k)
+        correction.row(solid.extrusion.node(c, k)) -= column[k].transpose();
     }
     const Eigen::SparseMatrix<double> matrix = assembled(solid.extrusion, metric);
     const Points force = matrix * correction;
     double free_force = 0.0, bound_force = 0.0;
     for (long n = 0; n < points.rows(); ++n)
-      (solid.fixed[n] ? bound_force : free_force) = std::max(solid.fixed[n] ? bound_force : free_force, force.row(n).norm());
+      (solid.fixed[n] ? bound_force : free_force) =
+          std::max(solid.fixed[n] ? bound_force : free_force, force.row(n).norm());
     EXPECT_LT(free_force, 1e-5 * bound_force);
   }
 }
 
 TEST(PlaceInterior, CorrectionObeysTheMaximumPrinciple) {
-  // Every harmonic value is a convex combination of the boundary's, so no node moves further than those.
+  // Every harmonic value is a convex combination of the boundary's, so no node moves further than
+  // those.
   const Solid solid = make_solid(make_square_with_hole(16, 4), 9, moving_hole(0.0, 3.0, 0.0));
   Points points = solid.input();
   Context context;
@@ -192,14 +200,19 @@ TEST(PlaceInterior, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(PlaceInterior, MovingHolesThroughManyRuns) {
   // Levels inside, runs that begin and end there, and a hole through all of them.
-  const auto range = [](const Point2& p) { return std::pair(p.x() > 0 ? 0 : 7, p.y() > 1 ? 20 : 13); };
-  for (const Base& base : {make_square_with_hole(24, 8), with_triangles(make_square_with_hole(24, 8))}) {
+  const auto range = [](const Point2& p) {
+    return std::pair(p.x() > 0 ? 0 : 7, p.y() > 1 ? 20 : 13);
+  };
+  for (const Base& base :
+       {make_square_with_hole(24, 8), with_triangles(make_square_with_hole(24, 8))}) {
     const Solid solid = make_steps(base, range, 20, moving_hole(0.4, 1.0, 0.1));
     Points points = solid.input();
     Context context;
-    const PlacementReport report = place_interior(solid.extrusion, solid.fixed, points, {}, context);
+    const PlacementReport report =
+        place_interior(solid.extrusion, solid.fixed, points, {}, context);
     EXPECT_TRUE(report.was_solved);
-    const double exact = measure_quality(solid.extrusion, solid.exact, {}, context).scaled_jacobian.min;
+    const double exact =
+        measure_quality(solid.extrusion, solid.exact, {}, context).scaled_jacobian.min;
     EXPECT_GT(report.min_scaled_jacobian, 0.8 * exact);
   }
 }
@@ -230,7 +243,8 @@ TEST(PlaceInterior, DisjointColumnsOverOneSpotDoNotFeelEachOther) {
 }
 
 TEST(PlaceInterior, FixedNodesInsideStayAndAreFollowed) {
-  Solid solid = make_solid(make_grid(10, 10), 8, [](double x, double y, double w) { return Point3(x, y, 8 * w); });
+  Solid solid = make_solid(make_grid(10, 10), 8,
+                           [](double x, double y, double w) { return Point3(x, y, 8 * w); });
   const long node = solid.extrusion.node(60, 4);
   solid.fixed[node] = 1;
   Points points = solid.input();

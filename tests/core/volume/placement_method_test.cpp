@@ -33,12 +33,16 @@ double tolerance(const Solid& solid, PlacementMethod method) {
   return method == PlacementMethod::harmonic_grid ? solid.size() / 64 : 1e-9 * solid.size();
 }
 
-Point3 rotated(const Point3& p) { return Eigen::AngleAxisd(0.8, Point3(1, 2, -1).normalized()) * p + Point3(3, -2, 7); }
+Point3 rotated(const Point3& p) {
+  return Eigen::AngleAxisd(0.8, Point3(1, 2, -1).normalized()) * p + Point3(3, -2, 7);
+}
 
 TEST(PlacementMethods, EachReproducesATranslatedPrism) {
   for (const Base& base : {make_square_with_hole(8, 2), with_triangles(make_grid(5, 6))})
     for (const PlacementMethod method : all_placement_methods()) {
-      const Solid solid = make_solid(base, 5, [](double x, double y, double w) { return rotated({x, y, 6 * w}); });
+      const Solid solid = make_solid(base, 5, [](double x, double y, double w) {
+        return rotated({x, y, 6 * w});
+      });
       EXPECT_LT(largest_error(solid, method), tolerance(solid, method)) << name_of(method);
     }
 }
@@ -47,20 +51,22 @@ TEST(PlacementMethods, LayerWiseOnesReproduceAffineLayers) {
   using enum PlacementMethod;
   const auto twist = [](double x, double y, double w) {
     const double a = 1.5 * w, g = 1 + 0.4 * w;
-    return Point3(g * (std::cos(a) * x - std::sin(a) * y), g * (std::sin(a) * x + std::cos(a) * y), 9 * w);
+    return Point3(g * (std::cos(a) * x - std::sin(a) * y), g * (std::sin(a) * x + std::cos(a) * y),
+                  9 * w);
   };
   const Solid solid = make_solid(make_square_with_hole(8, 2), 6, twist);
-  for (const PlacementMethod method :
-       {layer_affine, knupp_affine, least_squares_f, least_squares_g, least_squares_h, bm_sweep, boundary_error})
+  for (const PlacementMethod method : {layer_affine, knupp_affine, least_squares_f, least_squares_g,
+                                       least_squares_h, bm_sweep, boundary_error})
     EXPECT_LT(largest_error(solid, method), 1e-9 * solid.size()) << name_of(method);
 }
 
 TEST(PlacementMethods, CageBasedOnesReproduceWhatTheirCoordinatesDo) {
   using enum PlacementMethod;
-  // An affine image of the prism: coordinates with linear precision reproduce it, Green's only conformal ones.
-  const Solid sheared = make_solid(make_square_with_hole(8, 2), 4, [](double x, double y, double w) {
-    return Point3(1.3 * x + 0.2 * y, y - 0.3 * x, 6 * w);
-  });
+  // An affine image of the prism: coordinates with linear precision reproduce it, Green's only
+  // conformal ones.
+  const Solid sheared = make_solid(
+      make_square_with_hole(8, 2), 4,
+      [](double x, double y, double w) { return Point3(1.3 * x + 0.2 * y, y - 0.3 * x, 6 * w); });
   Solid oblique = sheared;
   for (long n = 0; n < oblique.exact.rows(); ++n) oblique.exact(n, 0) += 0.4 * oblique.exact(n, 2);
   for (const PlacementMethod method : {mean_value, triharmonic_rbf})
@@ -81,11 +87,13 @@ TEST(PlacementMethods, FunctionalFFlattensADomeAndHDoesNot) {
   const Solid solid = dome();
   const int middle = 40;  // the column in the middle of 9 x 9
   const auto bulge = [&](PlacementMethod method, int k) {
-    return placed(solid, method)(solid.extrusion.node(middle, k), 2) - solid.exact(solid.extrusion.node(0, k), 2);
+    return placed(solid, method)(solid.extrusion.node(middle, k), 2) -
+           solid.exact(solid.extrusion.node(0, k), 2);
   };
   for (const int k : {1, 2, 3}) {
     EXPECT_NEAR(bulge(least_squares_f, k), 0.0, 1e-9);
-    for (const PlacementMethod method : {least_squares_h, boundary_error, bm_sweep, harmonic_residual})
+    for (const PlacementMethod method :
+         {least_squares_h, boundary_error, bm_sweep, harmonic_residual})
       EXPECT_NEAR(bulge(method, k), 0.5 * k, 1e-6) << name_of(method);
   }
 }
@@ -93,9 +101,11 @@ TEST(PlacementMethods, FunctionalFFlattensADomeAndHDoesNot) {
 /// A hole that shifts and turns half way up and is back at the top.
 Solid wandering_hole(double shift, double turn) {
   return make_solid(make_square_with_hole(16, 4), 12, [=](double x, double y, double w) {
-    const double f = std::clamp((8.0 - std::max(std::abs(x), std::abs(y))) / 6.0, 0.0, 1.0) * std::sin(M_PI * w);
+    const double f =
+        std::clamp((8.0 - std::max(std::abs(x), std::abs(y))) / 6.0, 0.0, 1.0) * std::sin(M_PI * w);
     const double a = turn * f;
-    return Point3(std::cos(a) * x - std::sin(a) * y + shift * f, std::sin(a) * x + std::cos(a) * y, 16 * w);
+    return Point3(std::cos(a) * x - std::sin(a) * y + shift * f, std::sin(a) * x + std::cos(a) * y,
+                  16 * w);
   });
 }
 
@@ -111,7 +121,8 @@ TEST(PlacementMethods, OlderOnesFoldWhereAHoleWandersAndOursDoesNot) {
   const Solid shifted = wandering_hole(4.0, 0.0), turned = wandering_hole(0.0, 1.2);
   EXPECT_FALSE(folds(shifted, harmonic_residual));
   EXPECT_FALSE(folds(turned, harmonic_residual));
-  for (const PlacementMethod method : {layer_affine, knupp_affine, least_squares_f, least_squares_h})
+  for (const PlacementMethod method :
+       {layer_affine, knupp_affine, least_squares_f, least_squares_h})
     EXPECT_TRUE(folds(shifted, method)) << name_of(method);
   for (const PlacementMethod method : {layer_affine, knupp_affine, least_squares_h, bm_sweep})
     EXPECT_TRUE(folds(turned, method)) << name_of(method);
@@ -127,7 +138,8 @@ TEST(PlacementMethods, DoNotDependOnTheNumberOfThreads) {
 
 TEST(PlacementMethods, RefuseWhatTheyAreNotMadeFor) {
   const Map prism = [](double x, double y, double w) { return Point3(x, y, 9 * w); };
-  const Solid steps = make_steps(make_grid(6, 6), [](const Point2& p) { return std::pair(0, p.x() > 0 ? 9 : 4); }, 9, prism);
+  const Solid steps = make_steps(
+      make_grid(6, 6), [](const Point2& p) { return std::pair(0, p.x() > 0 ? 9 : 4); }, 9, prism);
   Solid bound = make_solid(make_grid(6, 6), 4, prism);
   bound.fixed[bound.extrusion.node(24, 2)] = 1;
   for (const PlacementMethod method : all_placement_methods()) {
@@ -141,7 +153,8 @@ TEST(PlacementMethods, RefuseWhatTheyAreNotMadeFor) {
 
 TEST(PlacementMethods, NamesAreDistinct) {
   std::set<std::string> names;
-  for (const PlacementMethod method : all_placement_methods()) EXPECT_TRUE(names.insert(name_of(method)).second);
+  for (const PlacementMethod method : all_placement_methods())
+    EXPECT_TRUE(names.insert(name_of(method)).second);
   EXPECT_EQ(names.size(), 12u);
 }
 
