@@ -40,6 +40,26 @@ std::vector<int> nodes_of(const BaseMesh& base, const std::vector<DirectedEdge>&
   return out;
 }
 
+/// Where a patch touches itself in a node, the node's places in the loops are drawn apart, each into the
+/// patch, so that the loops become simple.
+void draw_touching_apart(const std::vector<int>& node, PlanarLoops& loops) {
+  constexpr double share = 0.2;  // of the shorter mesh edge there
+  std::map<int, int> n_uses;
+  for (const int n : node) ++n_uses[n];
+  std::size_t at = 0;
+  for (auto& loop : loops) {
+    const std::vector<Point2> before = loop;
+    const std::vector<double> angles = interior_angles({before});
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (n_uses[node[at++]] < 2) continue;
+      const Point2 along = before[(i + 1) % loop.size()] - before[i];
+      const Point2 back = before[(i + loop.size() - 1) % loop.size()] - before[i];
+      const double reach = share * std::min(along.norm(), back.norm());
+      loop[i] += reach * (Eigen::Rotation2Dd(angles[i] / 2) * along.normalized());
+    }
+  }
+}
+
 /// Boundary nodes where a single cell would have to open its corner almost flat in one of the shapes.
 int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
   constexpr double flat = 160.0 / 180.0 * std::numbers::pi;
@@ -79,6 +99,23 @@ PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngl
   return std::move(*best);
 }
 
+std::vector<std::string> caps_of(const Patch& patch) {
+  std::vector<std::string> names;
+  for (const Run& r : patch.runs)
+    for (const FaceId f : {r.target, r.source}) names.push_back(name_of(f));
+  return names;
+}
+
+/// A cell that reaches from one place of a node to another has lost a corner.
+void check_corners(const BaseMesh& base, int cell, const Patch& patch) {
+  std::vector<int> nodes(base.cell_nodes.begin() + base.cell_offset.back(), base.cell_nodes.end());
+  std::sort(nodes.begin(), nodes.end());
+  if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
+    throw InvalidMeshError("surface",
+                           "A patch is too narrow for the element size where it touches itself.",
+                           caps_of(patch), {cell});
+}
+
 void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
                int patch, const PlanarMeshOptions& options, const Context& context,
                BaseMesh& base) {
@@ -91,6 +128,7 @@ void add_patch(const Model& model, const Imprint& imprint, const std::vector<int
       loops.back().push_back(base.points[n]);
     }
   }
+  draw_touching_apart(node, loops);
   const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
   std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
   if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
@@ -101,6 +139,7 @@ void add_patch(const Model& model, const Imprint& imprint, const std::vector<int
   }
   for (int c = 0; c < mesh.n_cells(); ++c) {
     for (const int n : mesh.cell(c)) base.cell_nodes.push_back(node[n]);
+    check_corners(base, c, imprint.patches[patch]);
     base.cell_offset.push_back(static_cast<int>(base.cell_nodes.size()));
     base.cell_patch.push_back(patch);
   }
@@ -165,13 +204,6 @@ void relax(const Imprint& imprint, const Context& context, BaseMesh& base) {
   const PlanarMesh smooth = smoothed(part, {}, context);
   if (quality(smooth.points, smooth).min <= quality(part.points, part).min) return;
   for (std::size_t i = 0; i < node.size(); ++i) base.points[node[i]] = smooth.points[i];
-}
-
-std::vector<std::string> caps_of(const Patch& patch) {
-  std::vector<std::string> names;
-  for (const Run& r : patch.runs)
-    for (const FaceId f : {r.target, r.source}) names.push_back(name_of(f));
-  return names;
 }
 
 void throw_if_inverted(const Imprint& imprint, const BaseMesh& base) {
