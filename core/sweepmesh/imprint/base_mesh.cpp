@@ -116,26 +116,34 @@ void check_corners(const BaseMesh& base, int cell, const Patch& patch) {
                            caps_of(patch), {cell});
 }
 
+/// In units of the element size, and rounded to far less than that, so that a solid that is turned,
+/// moved or scaled is meshed alike.
+Point2 in_sizes(const Point2& p, double size) {
+  constexpr double grid = 1e6;
+  return (p * (grid / size)).array().round() / grid;
+}
+
 void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-               int patch, const PlanarMeshOptions& options, const Context& context,
-               BaseMesh& base) {
+               int patch, double size, CellKind kind, const Context& context, BaseMesh& base) {
   std::vector<int> node;
   PlanarLoops loops;
   for (const auto& loop : imprint.patches[patch].loops) {
     loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
       node.push_back(n);
-      loops.back().push_back(base.points[n]);
+      loops.back().push_back(in_sizes(base.points[n], size));
     }
   }
   draw_touching_apart(node, loops);
   const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
+  PlanarMeshOptions options;
+  options.kind = kind;
   std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
   if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
   const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
   for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
-    base.points.push_back(mesh.points[i]);
+    base.points.push_back(size * mesh.points[i]);
   }
   for (int c = 0; c < mesh.n_cells(); ++c) {
     for (const int n : mesh.cell(c)) base.cell_nodes.push_back(node[n]);
@@ -225,9 +233,6 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
                    double size, CellKind kind, Context& context) {
   BaseMesh base;
   add_edge_nodes(imprint, counts, base);
-  PlanarMeshOptions options;
-  options.size = size;
-  options.kind = kind;
   for (std::size_t p = 0; p < imprint.patches.size(); ++p) {
     context.check("surface");
     const Patch& patch = imprint.patches[p];
@@ -236,7 +241,7 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
              name_of(patch.runs[0].source) + ": " + e.what();
     };
     try {
-      add_patch(model, imprint, counts, static_cast<int>(p), options, context, base);
+      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, context, base);
     } catch (const InputError& e) {
       throw InputError(e.stage(), sentence(e), caps_of(patch));
     } catch (const SolverError& e) {
