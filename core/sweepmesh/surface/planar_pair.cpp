@@ -188,7 +188,7 @@ class PairMesher {
 
   PlanarQuality raise(const PlanarMesh& cells, std::vector<Point2>& points, int rounds,
                       const Metric& metric) const {
-    points = with_worst_raised(cells, points, worth_raising, metric, context_, rounds);
+    points = with_worst_raised(cells, points, worth_raising, rounds, metric, context_);
     return quality(points, cells, metric);
   }
 

@@ -265,7 +265,9 @@ PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& option
     return overall_quality(a, options.metric) < overall_quality(b, options.metric);
   });
   constexpr double worth_raising = 0.7;
-  best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);
+  constexpr int max_rounds = 6;
+  best->points =
+      with_worst_raised(*best, best->points, worth_raising, max_rounds, options.metric, context);
   std::vector<long> inverted;
   for (int c = 0; c < best->n_cells(); ++c)
     if (scaled_jacobian(best->points, best->cell(c), options.metric) <= 0.0) inverted.push_back(c);

@@ -84,8 +84,8 @@ std::vector<double> scaled_jacobians(const PlanarMesh& mesh, const std::vector<P
 }  // namespace
 
 std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<Point2>& points,
-                                      double limit, const Metric& metric, const Context& context,
-                                      int max_rounds) {
+                                      double limit, int max_rounds, const Metric& metric,
+                                      const Context& context) {
   std::vector<Point2> best = points, now = points;
   std::vector<double> jacobians = scaled_jacobians(mesh, points, metric);
   double worst = jacobians.empty() ? 1.0 : *std::min_element(jacobians.begin(), jacobians.end());

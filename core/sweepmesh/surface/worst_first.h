@@ -14,7 +14,7 @@ namespace sweepmesh {
 /// The mesh must be valid. Cost: a sparse factorisation of the neighbourhoods a step, some 8 steps
 /// a round; two rounds tell what is possible, six get it.
 std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<Point2>& points,
-                                      double limit, const Metric& metric, const Context& context,
-                                      int max_rounds = 6);
+                                      double limit, int max_rounds, const Metric& metric,
+                                      const Context& context);
 
 }  // namespace sweepmesh
