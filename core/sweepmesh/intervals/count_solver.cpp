@@ -235,9 +235,10 @@ class PartSolver {
   /// for a short time only: neither way is the quicker one on every solid.
   bool solve_part(const std::vector<int>& part) {
     if (solve_program(part, false, options_.time_limit_seconds) != Outcome::solved) return false;
-    const std::size_t few = 500, many = 4000;  // states: the first decides most problems at once
+    const std::size_t few = 500;  // states: they decide most problems at once
+    const std::size_t many = std::max(few, 400'000 / part.size());
     if (!has_parity(part) || repair(part, 1, few)) return true;
-    const double short_time = std::min(1.0, options_.time_limit_seconds);
+    const double short_time = std::min(5.0, options_.time_limit_seconds);
     const Outcome quick = try_program(part, short_time);
     if (quick != Outcome::no_answer) return quick == Outcome::solved;
     return repair(part, 1, many) || repair(part, 2, many) ||
