@@ -42,3 +42,31 @@ def test_an_unsweepable_solid_has_no_numbers():
 def test_wrong_options_are_refused():
     with pytest.raises(InputError):
         engine.plan(brick().exportBrepToString(), Options(size=-1.0))
+
+
+def test_two_solids_have_one_plan_with_the_size_of_the_smaller():
+    small, large = Part.makeBox(4, 4, 4), Part.makeBox(20, 20, 20)
+    large.translate((50, 0, 0))
+    both = Part.makeCompound([small, large])
+    plan, result = engine.plan(both.exportBrepToString()), engine.mesh(both.exportBrepToString())
+    assert plan.size == result.size == engine.plan(small.exportBrepToString()).size
+    assert plan.intervals == result.intervals and plan.n_layers == result.n_layers
+    assert plan.assessment.roles == result.assessment.roles
+    assert len(plan.corners) == 32
+
+
+def test_picks_of_several_solids_go_to_their_own():
+    first, second = Part.makeBox(20, 20, 10), Part.makeBox(20, 20, 10)
+    second.translate((50, 0, 0))
+    shape = Part.makeCompound([first, second]).exportBrepToString()
+    plan = engine.plan(shape, Options(size=5.0, sources=[6, 7]))
+    assert plan.assessment.roles["Face6"] == plan.assessment.roles["Face7"] == "source"
+    assert plan.assessment.roles["Face8"] == "target"
+
+
+def test_one_unsweepable_solid_of_two_is_named():
+    second = Part.makeSphere(5)
+    second.translate((50, 0, 0))
+    plan = engine.plan(Part.makeCompound([brick(), second]).exportBrepToString())
+    assert not plan.assessment.is_sweepable
+    assert all(reason.text.startswith("Solid 2: ") for reason in plan.assessment.reasons)

@@ -4,9 +4,9 @@ import dataclasses
 from typing import Dict, List, Tuple
 
 from sweepmesh.engine import _sweepmesh
-from sweepmesh.engine.model import as_model
+from sweepmesh.engine.model import as_model, chosen_solids
 from sweepmesh.engine.options import Options
-from sweepmesh.engine.results import Assessment
+from sweepmesh.engine.results import Assessment, Reason
 from sweepmesh.engine.worker import run
 
 
@@ -46,7 +46,54 @@ def plan(shape, options=None, progress=None):
     options = options or Options()
 
     def work(context):
-        model = as_model(shape)
-        return _sweepmesh.plan(model, options.picks(model.n_faces), options.to_core(), context)
+        solids = chosen_solids(as_model(shape), options.solid)
+        plans = _plans_of(solids, options, context)
+        if options.size is None and len(solids) > 1:
+            smallest = min(each.size for each in plans)
+            plans = _plans_of(solids, dataclasses.replace(options, size=smallest), context)
+        return plans
 
-    return SweepPlan.from_core(run(work, options.threads, progress))
+    plans = run(work, options.threads, progress)
+    return plans[0] if len(plans) == 1 else _merged(plans)
+
+
+def _plans_of(solids, options, context):
+    core = options.to_core()
+    picks = [options.picks(solid.n_faces) if len(solids) == 1 else _picks_on(solid, options) for solid in solids]
+    return [SweepPlan.from_core(_sweepmesh.plan(s, p, core, context)) for s, p in zip(solids, picks)]
+
+
+def _picks_on(solid, options):
+    """The picks on faces of this solid; the others are those of other solids."""
+    own = {index + 1 for index in solid.faces}
+    mine = dataclasses.replace(
+        options,
+        sources=[face for face in options.sources if face in own],
+        targets=[face for face in options.targets if face in own],
+        pairs=[pair for pair in options.pairs if set(pair) <= own],
+    )
+    return mine.picks(solid.n_faces)
+
+
+def _merged(plans):
+    """One plan for several solids: sweepable if all are."""
+    reasons = [
+        Reason(reason.kind, f"Solid {number}: {reason.text}", reason.entities)
+        for number, each in enumerate(plans, 1)
+        for reason in each.assessment.reasons
+    ]
+    if reasons:
+        return SweepPlan(Assessment("unsweepable", reasons, []), plans[0].size, 0, [], {}, {}, {})
+    return SweepPlan(
+        assessment=Assessment("sweepable", [], [_joined(each.assessment.roles for each in plans)]),
+        size=plans[0].size,
+        n_layers=max(each.n_layers for each in plans),
+        corners=[corner for each in plans for corner in each.corners],
+        edge_roles=_joined(each.edge_roles for each in plans),
+        intervals=_joined(each.intervals for each in plans),
+        levels=_joined(each.levels for each in plans),
+    )
+
+
+def _joined(parts):
+    return {name: value for part in parts for name, value in part.items()}

@@ -2,6 +2,7 @@
 import math
 
 import FreeCAD
+import numpy as np
 import Part
 import pytest
 from analysis import SHEAR, YOUNG, add_tetrahedra, make_analysis, mean_displacement, ring_inertia, solve
@@ -154,3 +155,20 @@ def test_an_analysis_takes_the_mesh_as_its_own(document, box):
     analysis = make_analysis(box, "Face1", "Face2", FORCE, (0, 0, 1))
     mesh = app.make_sweep_mesh(box, analysis=analysis, size=1.0)
     assert get_mesh_to_solve(analysis) == (mesh, "")
+
+
+def test_constraints_reach_every_node_of_edges_and_vertices(document):
+    shape = BentPipe.shape(document)
+    result = app.mesh(shape, size=4.0)
+    mesh = app.to_femmesh(result)
+    for number, vertex in enumerate(shape.Shape.Vertexes, 1):
+        assert list(mesh.getNodesByVertex(vertex)) == nodes_on(result, 0, number)
+    for number, edge in enumerate(shape.Shape.Edges, 1):
+        ends = {i for i, v in enumerate(shape.Shape.Vertexes, 1) for e in edge.Vertexes if e.isSame(v)}
+        own = set(nodes_on(result, 1, number)).union(*(nodes_on(result, 0, end) for end in ends))
+        assert set(mesh.getNodesByEdge(edge)) == own
+
+
+def nodes_on(result, kind, number):
+    """Ids of the nodes whose own CAD entity this is (kind 0: vertex, 1: edge)."""
+    return [int(i) + 1 for i in np.flatnonzero((result.owner_kind == kind) & (result.owner_number == number))]

@@ -63,7 +63,15 @@ def test_solids_and_what_is_none(document, box):
             app.assess(wrong)
 
 
-def test_two_solids_in_one_shape_are_told(document):
-    two = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, FreeCAD.Vector(3, 0, 0))])
-    with pytest.raises(InputError, match="2 solids"):
-        app.assess(two)
+def test_a_shape_of_two_solids_becomes_one_mesh(document):
+    pair = document.addObject("Part::Feature", "Pair")
+    pair.Shape = Part.makeCompound([Part.makeBox(4, 4, 4), Part.makeBox(2, 4, 4, FreeCAD.Vector(10, 0, 0))])
+    mesh = app.make_sweep_mesh(pair, size=1.0)
+    assert mesh.isValid() and mesh.FemMesh.HexaCount == 64 + 32
+    names = [mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups]
+    assert "Face1" in names and "Face12" in names
+
+
+def test_a_shape_without_a_solid_is_told(document):
+    with pytest.raises(InputError, match="no solid"):
+        app.assess(Part.makeBox(1, 1, 1).Shells[0])

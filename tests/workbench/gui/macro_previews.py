@@ -111,7 +111,7 @@ def two_hundred_faces(document):
     press(tool_button("Create sweep mesh"))
     wait_for(lambda: rows("sources"))
     widget("showIntervals").setChecked(True)
-    wait_for(lambda: letters(star), 20)
+    wait_for(lambda: n_ticks(star) > 400, 20)
     before, start = n_ticks(star), time.time()
     widget("layerCount").setValue(9)
     changed = wait_for(lambda: n_ticks(star) != before, 20)

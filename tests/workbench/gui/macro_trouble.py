@@ -21,6 +21,7 @@ def steps():
     a_setting_that_fails()
     a_shape_deleted_while_meshing()
     a_document_closed_while_meshing()
+    a_shape_edited_while_meshing()
     save_close_reopen_edit()
     another_document_becomes_active()
 
@@ -129,6 +130,19 @@ def a_document_closed_while_meshing():
     FreeCAD.closeDocument(document.Name)
     check("closing the document closes the panel", wait_for(lambda: not is_panel_open(), 5))
     settle(0.5)
+
+
+def a_shape_edited_while_meshing():
+    document, brick = new_brick()
+    open_panel(brick)
+    wait_for(lambda: rows("sources"))
+    type_into("meshSize", "2 mm")
+    QTest.mouseClick(panel_button("OK"), LEFT, NO_KEY)
+    brick.Length = 30
+    document.recompute()
+    check("the panel closes for an edited shape, too", wait_for(lambda: not is_panel_open(), 60))
+    check("and the mesh is that of the shape as it is now", document.SweepMesh.FemMesh.BoundBox.XMax == 30)
+    finish(document)
 
 
 def save_close_reopen_edit():

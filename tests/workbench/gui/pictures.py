@@ -5,6 +5,7 @@ from session import ROOT, run
 
 PICTURES = {
     "create_mesh": {"02_proposal": "create_mesh_proposal", "05_mesh": "create_mesh_mesh"},
+    "previews": {"02_types": "previews_types", "03_intervals": "previews_intervals"},
     "solve": {"01_ends": "solve_ends", "03_results": "solve_results"},
     "quality": {"03_section": "quality_section"},
 }
