@@ -349,6 +349,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Pair</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Pick</source>
       <translation type="unfinished" />
     </message>
@@ -405,6 +409,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Sweep the marked sources to the marked target</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Take the marked faces out of the lists</source>
       <translation type="unfinished" />
     </message>
@@ -418,6 +426,10 @@
     </message>
     <message>
       <source>What the mesh is made of</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Which source is swept to which target, as prescribed</source>
       <translation type="unfinished" />
     </message>
     <message>

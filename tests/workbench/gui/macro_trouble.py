@@ -7,8 +7,8 @@ sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
 from driver import (
-    LEFT, NO_KEY, OUT, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle, show_all,
-    tool_button, type_into, wait_for, widget,
+    LEFT, NO_KEY, OUT, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle,
+    show_all, tool_button, type_into, wait_for, widget,
 )
 from PySide import QtCore
 

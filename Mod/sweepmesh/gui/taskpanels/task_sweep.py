@@ -51,10 +51,10 @@ class SweepPanel:
         form.elementKind.setCurrentIndex(ELEMENTS.index(options.element) if options.element in ELEMENTS else 0)
         form.elementOrder.setCurrentIndex(options.order - 1)
         if self._mesh:
-            sources, targets = _names(options.sources), _names(options.targets)
+            picks = _names(options.sources), _names(options.targets), [tuple(_names(pair)) for pair in options.pairs]
         else:
-            sources, targets = _split(faces)
-        self._faces.set_picks(sources, targets)
+            picks = _split(faces)
+        self._faces.set_picks(*picks)
 
     def _first_options(self):
         size = proposed_size(self._shape, preferences.wished_elements())
@@ -70,6 +70,7 @@ class SweepPanel:
             "order": form.elementOrder.currentIndex() + 1,
             "sources": list(self._faces.picks["source"]),
             "targets": list(self._faces.picks["target"]),
+            "pairs": list(self._faces.pairs),
         }
 
     def _connect(self):
@@ -254,5 +255,6 @@ def _scheme_text(scheme):
 
 def _changes(options, settings):
     """Return the settings that differ from `options`."""
-    old = {**vars(options), "sources": _names(options.sources), "targets": _names(options.targets)}
+    faces = {"sources": _names(options.sources), "targets": _names(options.targets)}
+    old = {**vars(options), **faces, "pairs": [tuple(_names(pair)) for pair in options.pairs]}
     return {name: value for name, value in settings.items() if value != old[name]}
