@@ -56,7 +56,8 @@ Input make_block(const Case& size, double bulge) {
     for (int i = 0; i <= size.nx; ++i)
       for (int k = 0; k <= size.n_layers; ++k) {
         const double x = i - 0.5 * size.nx, y = j - 0.5 * size.ny;
-        const double w = static_cast<double>(k) / size.n_layers, turn = 0.5 * w;
+        const double w = static_cast<double>(k) / size.n_layers,
+                     turn = 0.5 * std::min(1.0, static_cast<double>(size.n_layers) / size.nx) * w;
         const double f = 1 + bulge * std::sin(M_PI * w) * std::sin(5.0 * M_PI * i / size.nx) *
                                  std::cos(3.0 * M_PI * j / size.ny);
         const bool is_bound = i == 0 || j == 0 || i == size.nx || j == size.ny;

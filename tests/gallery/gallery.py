@@ -35,8 +35,8 @@ class Case:
 
     @property
     def genus(self):
-        """Of each shell of the solid; None for a shape of several solids, of which the first is meshed."""
-        return self.entry["genus"] if self.entry["solids"] == 1 else None
+        """Of each shell of the solids."""
+        return self.entry["genus"]
 
     @property
     def label(self):

@@ -45,7 +45,7 @@ def _run(arguments):
     started = time.perf_counter()
     for path in arguments.out:
         output.check_path(path)
-    state = {"assessment": None, "result": None, "seconds": {}}
+    state = {"assessment": None, "result": None, "seconds": {}, "warnings": []}
     try:
         _work(arguments, state)
     except engine.SweepMeshError as error:
@@ -55,6 +55,9 @@ def _run(arguments):
         raise
     state["seconds"]["total"] = time.perf_counter() - started
     report = _write_report(arguments.report, **state)
+    if not arguments.quiet:
+        for warning in state["warnings"]:
+            print(f"sweepmesh: warning: {warning}", file=sys.stderr)
     is_sweepable = state["assessment"].is_sweepable
     if not arguments.quiet:
         print(reports.text_of(report))
@@ -65,24 +68,22 @@ def _run(arguments):
 
 def _work(arguments, state):
     """Reads, assesses or meshes, and writes; what is known goes into `state` as soon as it is."""
-    seconds = state["seconds"]
+    seconds, warnings = state["seconds"], state["warnings"]
     with progress_bar(not arguments.quiet) as progress:
         with _timed(seconds, "read"):
             shape = shapes.read_shape(arguments.shape, arguments.object)
-        for warning in shape.warnings:
-            _warn(warning)
+        warnings += shape.warnings
         options = make_options(arguments, shape.model)
         if arguments.assess:
             with _timed(seconds, "assess"):
                 state["assessment"] = engine.assess(shape.model, options, progress)
             return
         result = engine.mesh(shape.model, options, progress)
-    state.update(result=result, assessment=result.assessment)
-    for warning in result.warnings:
-        _warn(warning)
-    with _timed(seconds, "write"):
+        warnings += result.warnings
+        state.update(result=result, assessment=result.assessment)
         if result.assessment.is_sweepable:
-            write_all(arguments.out, result, shape, options)
+            with _timed(seconds, "write"):
+                write_all(arguments.out, result, shape, options, progress)
 
 
 def make_options(arguments, model):
@@ -124,10 +125,6 @@ class _timed:
 
     def __exit__(self, *_exception):
         self._seconds[self._stage] = time.perf_counter() - self._started
-
-
-def _warn(sentence):
-    print(f"sweepmesh: warning: {sentence}", file=sys.stderr)
 
 
 def _fail(sentence):

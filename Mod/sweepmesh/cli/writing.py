@@ -28,9 +28,10 @@ class Job:
     options: Options
 
 
-def write_all(paths, result, shape, options):
+def write_all(paths, result, shape, options, progress):
     """Writes the result to each path. Raises InputError or SweepMeshError; no file is left half-written."""
-    for path in paths:
+    for i, path in enumerate(paths):
+        progress.update(i / len(paths), f"Writing {path}")
         if pathlib.Path(path).suffix.lower() in output.OWN_FORMATS:
             output.write(result, path)
         else:

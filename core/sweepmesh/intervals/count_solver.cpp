@@ -235,7 +235,7 @@ class PartSolver {
     const bool has_parity = std::any_of(part.begin(), part.end(),
                                         [&](int d) { return is_parity(classes_.demands[d].kind); });
     if (!solve_program(part, false)) return false;
-    const std::size_t few = 500, many = 20000;  // states: the first decides most problems at once
+    const std::size_t few = 500, many = 4000;  // states: the first decides most problems at once
     return !has_parity || repair(part, 1, few) || repair(part, 1, many) || repair(part, 2, many) ||
            solve_program(part, true);
   }
@@ -300,9 +300,10 @@ CountSolution solve_counts(const CountProblem& problem, const CountOptions& opti
   CountClasses c;
   const auto value = reduce_and_solve(problem, c, options, context, out.is_optimal);
   if (!value) {
-    out.conflict = smallest_conflict(problem, options, context);
+    if (options.explain) out.conflict = smallest_conflict(problem, options, context);
     return out;
   }
+  out.is_feasible = true;
   for (const int k : c.class_of) out.values.push_back(std::lround((*value)[k]));
   for (std::size_t k = 0; k < c.classes.size(); ++k)
     out.cost += class_cost(c.classes[k], (*value)[k]);

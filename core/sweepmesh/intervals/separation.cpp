@@ -105,6 +105,18 @@ class FaceSides {
     return line[p] + (x - static_cast<double>(p)) * (line[p + 1] - line[p]);
   }
 
+  /// Layout points of all boundary nodes, loop by loop, at equal steps along each side.
+  std::vector<Point2> boundary_points(const CountSolution& s, const IntervalDemands& d) const {
+    std::vector<Point2> out;
+    for (std::size_t l = 0; l < loops_.size(); ++l)
+      for (std::size_t c = 0; c < loops_[l].size(); ++c) {
+        const long n = s.values[d.edge[loops_[l][c].edge.index]];
+        for (long step = 0; step < n; ++step)
+          out.push_back(at({static_cast<int>(l), static_cast<int>(c)}, double(step) / n));
+      }
+    return out;
+  }
+
   /// i (of an axial side) or k (of a transverse one) as a sum of unknowns.
   Terms position(Across a, const Side& s, const IntervalDemands& d) const {
     const Coedge& c = loops_[s.loop][s.coedge];
@@ -310,6 +322,20 @@ class OrderAdder {
   int n_added_ = 0;
 };
 
+/// Whether a corner of a quad is folded that no interior node could unfold: it and its two
+/// neighbours in the quad lie on the boundary, and turn the wrong way in the layout.
+bool has_folded_corner(const GridRegion& region, const FaceSides& face,
+                       const CountSolution& solution, const IntervalDemands& demands) {
+  const auto at = face.boundary_points(solution, demands);
+  for (const auto& cell : region.cells)
+    for (int c = 0; c < 4; ++c) {
+      const int a = cell[c], next = cell[(c + 1) % 4], before = cell[(c + 3) % 4];
+      if (std::max({a, next, before}) >= region.n_boundary) continue;
+      if (cross2(at[next] - at[a], at[before] - at[a]) <= 0.0) return true;
+    }
+  return false;
+}
+
 /// One loop of END and SIDE vertices is a rectangle, whatever the counts.
 bool is_four_sided(const FaceScheme& face) {
   const auto bends_back = [](VertexType t) { return static_cast<int>(t) < 0; };
@@ -343,12 +369,14 @@ void Separation::add_gaps(IntervalDemands& demands) const {
 int Separation::add_violated(const CountSolution& solution, IntervalDemands& demands) const {
   int n_added = 0;
   for (std::size_t j = 0; j < faces_.size(); ++j) {
-    if (fill_region(grid_loops(model_, scheme_, faces_[j], demands, solution))) continue;
+    const auto region = fill_region(grid_loops(model_, scheme_, faces_[j], demands, solution));
     const FaceSides face(model_, scheme_, faces_[j], layouts_[j]);
     OrderAdder order(face, solution, demands);
-    int n_of_face = order.add(Across::i) + order.add(Across::k);
-    if (n_of_face == 0) n_of_face = order.add_all(Across::i) + order.add_all(Across::k);
-    if (n_of_face == 0) n_of_face = order.add_necks();
+    int n_of_face = 0;
+    if (!region) n_of_face = order.add(Across::i) + order.add(Across::k);
+    if (n_of_face == 0 && (!region || has_folded_corner(*region, face, solution, demands)))
+      n_of_face = order.add_all(Across::i) + order.add_all(Across::k);
+    if (n_of_face == 0 && !region) n_of_face = order.add_necks();
     n_added += n_of_face;
   }
   return n_added;

@@ -1,6 +1,7 @@
 #include "sweepmesh/scheme/assess.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/scheme/pairs.h"
@@ -24,6 +25,22 @@ int index_of(const SweepProblem& problem, FaceId id) {
   if (at == problem.faces.end())
     throw InputError("assess", name_of(id) + " is not a face of this solid.", {name_of(id)});
   return static_cast<int>(at - problem.faces.begin());
+}
+
+std::vector<FixedCorner> fixed_corners(const SweepProblem& problem,
+                                       const std::vector<TypePick>& types) {
+  std::vector<FixedCorner> out;
+  for (const TypePick& pick : types) {
+    const int face = index_of(problem, pick.face), first = problem.first_coedge(face);
+    const std::size_t n_before = out.size();
+    for (int c = first; c < first + problem.n_coedges(face); ++c)
+      if (problem.coedges[c].end == pick.vertex.index) out.push_back({c, pick.type});
+    if (out.size() == n_before)
+      throw InputError("assess",
+                       name_of(pick.vertex) + " is not a vertex of " + name_of(pick.face) + ".",
+                       {name_of(pick.vertex), name_of(pick.face)});
+  }
+  return out;
 }
 
 /// A picked face and the states that it may have.
@@ -74,18 +91,29 @@ int count(const Division& division, StateSet role) {
       std::count(division.choices.role.begin(), division.choices.role.end(), role));
 }
 
-/// Best first. Where nothing tells sources and targets apart (`is_symmetric`), the more are the
-/// sources.
+/// Caps that were not picked, where sources and targets were; else 0.
+int n_unasked_caps(const Division& division, const std::vector<Pick>& picks) {
+  const auto has_picked = [&](StateSet role) {
+    return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
+  };
+  if (!has_picked(kSourceStates) || !has_picked(kTargetStates)) return 0;
+  return count(division, kSourceStates) + count(division, kTargetStates) -
+         static_cast<int>(picks.size());
+}
+
+/// Best first. Where nothing tells sources and targets apart (no picks), the more are the sources.
 std::vector<Scheme> ranked(const Model& model, const Network& network,
-                           std::vector<Division> divisions, bool is_symmetric) {
-  std::vector<std::pair<Rank, const Division*>> order;
+                           std::vector<Division> divisions, const std::vector<Pick>& picks) {
+  std::vector<std::tuple<bool, Rank, const Division*>> order;
   for (Division& d : divisions) {
-    if (is_symmetric && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
-    order.emplace_back(rank_of(network, d), &d);
+    if (picks.empty() && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
+    order.emplace_back(n_unasked_caps(d, picks) > 0, rank_of(network, d), &d);
   }
-  std::ranges::sort(order, {}, &std::pair<Rank, const Division*>::first);
+  std::ranges::sort(order, [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+  });
   std::vector<Scheme> out;
-  for (const auto& [rank, d] : order)
+  for (const auto& [is_unasked, rank, d] : order)
     out.push_back(to_scheme(network, *d, model.n_faces(), model.n_edges()));
   return out;
 }
@@ -143,14 +171,15 @@ class Assessor {
     for (const auto& [id, states] : chosen_) index_of(problem_, id);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
-    const Network strict = make_network(problem_, strict_limits());
+    const auto fixed = fixed_corners(problem_, picks_.types);
+    const Network strict = make_network(problem_, strict_limits(), fixed);
     if (auto found = try_with(strict, chosen_)) return *found;
     if (opposed_) return {{}, {*opposed_}};
-    const Network lenient = make_network(problem_, lenient_limits());
-    if (!chosen_.empty()) {
+    const Network lenient = make_network(problem_, lenient_limits(), fixed);
+    if (!chosen_.empty() || !fixed.empty())
       if (auto found = try_with(lenient, chosen_)) return *found;
-      return refuse_picks(strict, lenient);
-    }
+    if (auto refused = refuse_types()) return *refused;
+    if (!chosen_.empty()) return refuse_picks(strict, lenient);
     if (auto found = try_radial()) return *found;
     return refuse(lenient);
   }
@@ -165,7 +194,7 @@ class Assessor {
     }
     if (auto reason = keep_paired(network, picks_, result.divisions))
       return Assessment{{}, {*reason}};
-    return Assessment{ranked(model_, network, result.divisions, chosen_.empty()), {}};
+    return Assessment{ranked(model_, network, result.divisions, chosen_), {}};
   }
 
   /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to
@@ -178,6 +207,25 @@ class Assessor {
     }
     if (!is_convex_shell(problem_, 0) || !is_convex_shell(problem_, 1)) return {};
     return try_with(make_network(problem_, radial_limits()), shells);
+  }
+
+  bool can_hold(const std::vector<TypePick>& types) {
+    const Network network =
+        make_network(problem_, lenient_limits(), fixed_corners(problem_, types));
+    return !search(network, chosen_, context_).divisions.empty();
+  }
+
+  /// Drops each type that is not needed for the contradiction. Empty where the types are not at
+  /// fault.
+  std::optional<Assessment> refuse_types() {
+    if (picks_.types.empty() || !can_hold({})) return {};
+    std::vector<TypePick> left = picks_.types;
+    for (std::size_t i = left.size(); i-- > 0;) {
+      std::vector<TypePick> without = left;
+      without.erase(without.begin() + i);
+      if (!can_hold(without)) left = without;
+    }
+    return Assessment{{}, {type_reason(left)}};
   }
 
   Assessment refuse(const Network& lenient) {

@@ -67,15 +67,18 @@ std::vector<char> neighbourhood(const PlanarMesh& mesh, const NodeCells& at_node
 
 /// The energy over the corners with a node that is free; the rest of the mesh stays.
 std::vector<Point2> relaxed(const PlanarMesh& mesh, const std::vector<Point2>& points,
-                            const std::vector<char>& is_free, const MapOptions& options,
-                            const Context& context) {
+                            const std::vector<char>& is_free, int max_iterations,
+                            const MapOptions& options, const Context& context) {
   std::vector<char> fixed(mesh.n_nodes());
   for (int i = 0; i < mesh.n_nodes(); ++i) fixed[i] = i < mesh.n_boundary || !is_free[i];
   std::vector<MapTriangle> corners = corners_like(mesh, mesh.points, options.source_metric);
   std::erase_if(corners, [&](const MapTriangle& t) {
     return std::all_of(t.node.begin(), t.node.end(), [&](int node) { return fixed[node]; });
   });
-  return minimise_foldover(points, fixed, corners, options.target_metric, {}, context).points;
+  FoldoverOptions foldover;
+  foldover.tolerance = 1e-3;
+  foldover.max_iterations = max_iterations;
+  return minimise_foldover(points, fixed, corners, options.target_metric, foldover, context).points;
 }
 
 bool is_better(const PlanarQuality& a, const PlanarQuality& b) {
@@ -90,12 +93,14 @@ class Improver {
   void run(PlanarMap& map) const {
     std::vector<int> poor = cells_below(options_.poor, mesh_, map.points, options_.target_metric);
     if (poor.empty()) return;
-    for (int rings = std::max(1, options_.rings);; rings *= 2) {
+    constexpr int steps_of_part = 20, steps_of_whole = 100;
+    for (int rings = std::max(1, options_.rings);; rings *= 4) {
       const auto is_free = neighbourhood(mesh_, at_nodes_, poor, rings);
-      auto points = relaxed(mesh_, map.points, is_free, options_, context_);
+      const bool is_whole = std::all_of(is_free.begin(), is_free.end(), [](char f) { return f; });
+      auto points = relaxed(mesh_, map.points, is_free, is_whole ? steps_of_whole : steps_of_part,
+                            options_, context_);
       const PlanarQuality q = quality(points, mesh_, options_.target_metric);
       if (is_better(q, map.final)) map.points = std::move(points), map.final = q;
-      const bool is_whole = std::all_of(is_free.begin(), is_free.end(), [](char f) { return f; });
       if (map.final.n_inverted == 0 || is_whole) return;
     }
   }

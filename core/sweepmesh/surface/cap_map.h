@@ -18,7 +18,7 @@ struct MapOptions {
   Metric target_metric;  ///< surface that the target plane stands for
   /// Cells with a smaller scaled Jacobian on the target are improved, -1..1; -1 improves none that is valid.
   double poor = 0.5;
-  int rings = 3;  ///< cells around a poor one that may move with it, >= 0; doubled while that is not enough
+  int rings = 3;  ///< cells around a poor one that may move with it, >= 0; four times as many while that is not enough
 };
 
 struct PlanarMap {

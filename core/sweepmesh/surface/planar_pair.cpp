@@ -19,6 +19,7 @@ constexpr double good_enough = 0.55;
 constexpr double poor = 0.2;
 /// Cells below this are raised at the cost of others.
 constexpr double worth_raising = 0.7;
+constexpr int rounds_to_compare = 2, rounds_to_finish = 6;
 
 using Complex = std::complex<double>;
 
@@ -77,7 +78,7 @@ class PairMesher {
   PlanarPair run(const PlanarLoops& second) {
     const auto direct = candidate_meshes(first_, options_, angles_, context_);
     for (const PlanarMesh& mesh : direct) offer([&] { return carried_on(mesh); });
-    if (is_best_at_least(good_enough)) return std::move(*best_);
+    if (is_best_at_least(good_enough)) return finished();
     const PlanarLoops between = half_way(first_, second);
     if (is_domain(between)) {
       PlanarMeshOptions flat = options_;
@@ -89,7 +90,7 @@ class PairMesher {
     for (const PlanarMesh& mesh : direct)
       if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
     if (!best_) throw *failure_;
-    return std::move(*best_);
+    return finished();
   }
 
  private:
@@ -119,8 +120,7 @@ class PairMesher {
 
   PlanarPair carried_on(PlanarMesh mesh) const {
     PlanarPair pair;
-    mesh.points = with_worst_raised(mesh, mesh.points, worth_raising, options_.metric, context_);
-    pair.first_quality = quality(mesh.points, mesh, options_.metric);
+    pair.first_quality = raise(mesh, mesh.points, rounds_to_compare, options_.metric);
     pair.second = map_planar(mesh, second_, onto_second_, context_).points;
     pair.first = std::move(mesh);
     pair.second_quality = settle(pair.first, pair.second, onto_second_.target_metric);
@@ -149,8 +149,23 @@ class PairMesher {
     there = smoothed(there, metric, context_);
     const PlanarQuality after = quality(there.points, there, metric);
     if (after.min + 0.5 * after.mean > before.min + 0.5 * before.mean) points = std::move(there.points);
-    points = with_worst_raised(cells, points, worth_raising, metric, context_);
+    return raise(cells, points, rounds_to_compare, metric);
+  }
+
+  PlanarQuality raise(const PlanarMesh& cells, std::vector<Point2>& points, int rounds,
+                      const Metric& metric) const {
+    points = with_worst_raised(cells, points, worth_raising, rounds, metric, context_);
     return quality(points, cells, metric);
+  }
+
+  PlanarPair finished() {
+    PlanarPair pair = std::move(*best_);
+    std::vector<Point2> points = pair.first.points;
+    pair.first_quality = raise(pair.first, points, rounds_to_finish, options_.metric);
+    pair.first.points = std::move(points);
+    pair.second_quality =
+        raise(pair.first, pair.second, rounds_to_finish, onto_second_.target_metric);
+    return pair;
   }
 
   const PlanarLoops& first_;

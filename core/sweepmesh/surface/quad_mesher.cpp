@@ -197,8 +197,11 @@ PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context&
   fit_to_area(size, mesh, metric);
   std::vector<char> fixed(mesh.n_nodes(), 0);
   std::fill_n(fixed.begin(), mesh.n_boundary, 1);
+  FoldoverOptions options;
+  options.tolerance = 1e-3;
   PlanarMesh out = mesh;
-  out.points = minimise_foldover(mesh.points, fixed, corners_regular(mesh, size), metric, {}, context).points;
+  out.points =
+      minimise_foldover(mesh.points, fixed, corners_regular(mesh, size), metric, options, context).points;
   return out;
 }
 
@@ -248,7 +251,8 @@ PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& option
     return overall_quality(a, options.metric) < overall_quality(b, options.metric);
   });
   constexpr double worth_raising = 0.7;
-  best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);
+  constexpr int max_rounds = 6;
+  best->points = with_worst_raised(*best, best->points, worth_raising, max_rounds, options.metric, context);
   std::vector<long> inverted;
   for (int c = 0; c < best->n_cells(); ++c)
     if (scaled_jacobian(best->points, best->cell(c), options.metric) <= 0.0) inverted.push_back(c);

@@ -8,7 +8,6 @@
 namespace sweepmesh {
 namespace {
 
-constexpr int max_rounds = 6;
 constexpr int rings = 4;
 constexpr double sharpness = 3.0;  // weight of a cell: (1 / scaled Jacobian) to this power
 constexpr double heaviest = 1e4;
@@ -81,7 +80,8 @@ std::vector<double> scaled_jacobians(const PlanarMesh& mesh, const std::vector<P
 }  // namespace
 
 std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<Point2>& points,
-                                      double limit, const Metric& metric, const Context& context) {
+                                      double limit, int max_rounds, const Metric& metric,
+                                      const Context& context) {
   std::vector<Point2> best = points, now = points;
   std::vector<double> jacobians = scaled_jacobians(mesh, points, metric);
   double worst = jacobians.empty() ? 1.0 : *std::min_element(jacobians.begin(), jacobians.end());
@@ -89,7 +89,8 @@ std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<
   const std::vector<char> fixed = fixed_but_near(mesh, jacobians, limit);
   FoldoverOptions options;
   options.area_share = 0.05;
-  options.max_iterations = 12;
+  options.max_iterations = 8;
+  options.tolerance = 1e-3;
   std::vector<double> weight(mesh.n_cells(), 1.0);
   for (int round = 0; round < max_rounds; ++round) {
     for (int c = 0; c < mesh.n_cells(); ++c)
@@ -103,6 +104,7 @@ std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<
     const double value = *std::min_element(jacobians.begin(), jacobians.end());
     if (value <= 0.0) break;
     if (value > worst) worst = value, best = now;
+    if (worst >= limit) break;
   }
   return best;
 }

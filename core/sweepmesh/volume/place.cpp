@@ -93,7 +93,7 @@ ElementCheck improve_poor(const Extrusion& x, const std::vector<char>& fixed,
 void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
                    const PlacementOptions& options, Points& points, PlacementReport& report,
                    ThreadTeam& team, const Context& context) {
-  ElementCheck check = check_elements(x, points, options.improve_up_to, team);
+  ElementCheck check = check_elements(x, points, std::max(0.0, options.improve_up_to), team);
   if (!(check.min_scaled_jacobian > 0.0)) {
     const std::vector<long> inverted = check_elements(x, points, 0.0, team).bad;
     report.n_inverted_before = static_cast<long>(inverted.size());
@@ -104,10 +104,10 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
       report.inverted = inverted;
     }
   }
-  if (check.min_scaled_jacobian > 0.0 && !check.bad.empty()) {
-    report.n_poor_before = static_cast<long>(check.bad.size());
+  report.n_poor_before = static_cast<long>(check.bad.size());
+  if (check.min_scaled_jacobian > 0.0 && report.n_poor_before > 0 &&
+      report.n_poor_before <= options.improve_at_most)
     check = improve_poor(x, fixed, metric, options, check.bad, points, team, context);
-  }
   report.min_scaled_jacobian = check.min_scaled_jacobian;
 }
 

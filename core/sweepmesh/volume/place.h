@@ -27,6 +27,9 @@ struct PlacementOptions {
   double reduction = 1e-4;
   /// Elements with a scaled Jacobian up to this are improved, once all are positive; in 0..1.
   double improve_up_to = 0.2;
+  /// They are left as they are when there are more than this: then the shape itself asks for them,
+  /// there is nothing local to improve, and the time would no longer be linear.
+  long improve_at_most = 20000;
   /// Attempts to untangle, each with twice the rings of neighbours; 0 leaves inverted elements
   /// alone.
   int max_attempts = 5;

@@ -251,6 +251,38 @@ TEST(Assess, PairsMustFollowTheWalls) {
             4u);  // source, target, and the walls along the way
 }
 
+TEST(Assess, PickedVertexTypesHoldOrAreNamed) {
+  const Model model = test::slanted_block();
+  const auto five = std::ranges::find_if(
+      model.faces(), [&](FaceId f) { return model.loops(f)[0].size() == 5 && model.is_planar(f); });
+  ASSERT_NE(five, model.faces().end());
+  const Loop& loop = model.loops(*five)[0];
+  int n_reached = 0;
+  for (const Coedge& c : loop) {  // any of the five may be the SIDE
+    const Assessment found = assessed(model, {{}, {}, {}, {{*five, c.end, VertexType::side}}});
+    if (!found.is_sweepable()) continue;
+    for (const Scheme& scheme : found.schemes) {
+      expect_valid_scheme(model, scheme);
+      if (scheme.face_role[five->index] != FaceRole::linking) continue;
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        if (loop[i].end == c.end)
+          n_reached += scheme.face[five->index].type[0][i] == VertexType::side;
+    }
+  }
+  EXPECT_GT(n_reached, 1);
+  // Four corners of a four-sided linking face can only be END: a SIDE on each face contradicts
+  // whatever is swept.
+  const Model box = test::box(1, 1, 1);
+  std::vector<TypePick> types;
+  for (FaceId f : box.faces()) types.push_back({f, box.loops(f)[0][0].end, VertexType::side});
+  const Assessment refused = assessed(box, {{}, {}, {}, types});
+  expect_refused(refused, ReasonKind::prescribed, {});
+  EXPECT_NE(refused.reasons.front().text.find("as SIDE"), std::string::npos);
+  EXPECT_LT(refused.reasons.front().entities.size(), 2 * types.size());
+  EXPECT_THROW(assessed(box, {{}, {}, {}, {{FaceId{0}, VertexId{99}, VertexType::end}}}),
+               InputError);
+}
+
 TEST(Assess, OpenBoundaryIsRefusedOnReading) {
   EXPECT_THROW(test::open_box(), InputError);
 }

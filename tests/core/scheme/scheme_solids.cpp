@@ -152,6 +152,13 @@ Model block_with_returning_hole() {
   return to_model(cut(block({-45, -25, 0}, {45, 25, 70}), pipe.Shape()));
 }
 
+Model slanted_block() {
+  const TopoDS_Wire outline =
+      polygon({{0, 0, 0}, {40, 0, 0}, {40, 0, 20}, {25, 0, 35}, {0, 0, 35}});
+  return to_model(
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline).Face(), gp_Vec(0, 30, 0)).Shape());
+}
+
 Model open_box() {
   BRep_Builder builder;
   TopoDS_Shell shell;

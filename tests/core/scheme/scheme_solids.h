@@ -25,6 +25,8 @@ Model dovetail();
 /// A block with a round hole that rises, bends over and comes back down before it leaves at the
 /// top.
 Model block_with_returning_hole();
+/// A block with one edge cut off: two of its faces have five corners.
+Model slanted_block();
 /// A box of which one face is missing.
 Model open_box();
 /// Columns of the given heights (> 0) on an n x n grid, one solid of the coplanar faces merged.
