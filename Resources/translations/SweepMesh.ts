@@ -136,6 +136,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>The mesh has no shape: set its property Shape first.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The object whose solid is meshed</source>
       <translation type="unfinished" />
     </message>
@@ -169,6 +173,10 @@
     </message>
     <message>
       <source>What the mesh is made of</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Which solid of the shape is meshed; 0: all of them</source>
       <translation type="unfinished" />
     </message>
     <message>
