@@ -73,8 +73,9 @@ PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngl
   auto best = std::max_element(candidates.begin(), candidates.end(),
                                [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   constexpr double worth_raising = 0.7;
+  constexpr int n_rounds = 6;
   if (quality(best->points, *best).n_inverted == 0)
-    best->points = with_worst_raised(*best, best->points, worth_raising, {}, context);
+    best->points = with_worst_raised(*best, best->points, worth_raising, n_rounds, {}, context);
   return std::move(*best);
 }
 

@@ -11,24 +11,14 @@
 namespace sweepmesh {
 namespace {
 
-using Affine = Eigen::Matrix<double, 2, 3>;
-
-Point2 apply(const Affine& a, const Point2& p) { return a.leftCols<2>() * p + a.col(2); }
-
-/// Least squares over the boundary nodes.
-Affine best_affine(const PlanarMesh& source, const std::vector<Point2>& boundary) {
-  Eigen::MatrixX3d left(source.n_boundary, 3);
-  Eigen::MatrixX2d right(source.n_boundary, 2);
-  for (int i = 0; i < source.n_boundary; ++i) {
-    left.row(i) << source.points[i].transpose(), 1.0;
-    right.row(i) = boundary[i].transpose();
-  }
-  return left.colPivHouseholderQr().solve(right).transpose();
+Point2 apply(const Affine& a, const Point2& p) {
+  return a.leftCols<2>() * p + a.col(2);
 }
 
 std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Point2>& boundary,
                                  const MapOptions& options) {
-  const Affine affine = best_affine(source, boundary);
+  const Affine affine =
+      best_affine({source.points.begin(), source.points.begin() + source.n_boundary}, boundary);
   std::vector<Point2> residual(boundary);
   for (int i = 0; i < source.n_boundary; ++i) residual[i] -= apply(affine, source.points[i]);
   std::vector<Point2> out = harmonic_extension(source, residual, options.source_metric);
@@ -38,8 +28,8 @@ std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Poi
 }
 
 /// Cells that are worse than `limit`.
-std::vector<int> cells_below(double limit, const PlanarMesh& mesh, const std::vector<Point2>& points,
-                             const Metric& metric) {
+std::vector<int> cells_below(double limit, const PlanarMesh& mesh,
+                             const std::vector<Point2>& points, const Metric& metric) {
   std::vector<int> out;
   for (int c = 0; c < mesh.n_cells(); ++c)
     if (scaled_jacobian(points, mesh.cell(c), metric) <= limit) out.push_back(c);
@@ -113,6 +103,16 @@ class Improver {
 };
 
 }  // namespace
+
+Affine best_affine(const std::vector<Point2>& from, const std::vector<Point2>& to) {
+  Eigen::MatrixX3d left(from.size(), 3);
+  Eigen::MatrixX2d right(from.size(), 2);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    left.row(i) << from[i].transpose(), 1.0;
+    right.row(i) = to[i].transpose();
+  }
+  return left.colPivHouseholderQr().solve(right).transpose();
+}
 
 PlanarMap map_planar(const PlanarMesh& source, const std::vector<Point2>& boundary,
                      const MapOptions& options, const Context& context) {

@@ -14,7 +14,8 @@ using Matrix4 = Eigen::Matrix4d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Share of the worst negative determinant that eps takes first, and its floor (determinants are scaled to 1).
+/// Share of the worst negative determinant that eps takes first, and its floor (determinants are
+/// scaled to 1).
 constexpr double eps_share = 0.2;
 constexpr double eps_floor = 1e-8;
 /// Least part by which chi of the worst determinant falls from step to step.
@@ -23,8 +24,8 @@ constexpr int max_stalled_steps = 12;
 constexpr int max_halvings = 40;
 constexpr double sufficient_decrease = 1e-4;
 
-/// The energy of one triangle as a function of its Jacobian's four entries (row by row); the Hessian is
-/// projected to positive semidefinite.
+/// The energy of one triangle as a function of its Jacobian's four entries (row by row); the
+/// Hessian is projected to positive semidefinite.
 struct Density {
   Vector4 gradient = Vector4::Zero();
   Matrix4 hessian = Matrix4::Zero();
@@ -56,11 +57,16 @@ Derivatives derivatives(double n, double d, double share, double eps) {
               h * (x2 / (x * x) - 2.0 * x1 * x1 / (x * x * x))};
 }
 
-Eigen::Matrix2d rotation(double angle) { return Eigen::Rotation2Dd(angle).toRotationMatrix(); }
+Eigen::Matrix2d rotation(double angle) {
+  return Eigen::Rotation2Dd(angle).toRotationMatrix();
+}
 
-Vector4 row_by_row(const Eigen::Matrix2d& m) { return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)}; }
+Vector4 row_by_row(const Eigen::Matrix2d& m) {
+  return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
+}
 
-/// Adds the positive part of the symmetric [[a, b], [b, c]] in the space of two orthonormal vectors.
+/// Adds the positive part of the symmetric [[a, b], [b, c]] in the space of two orthonormal
+/// vectors.
 void add_positive(double a, double b, double c, const Vector4& p, const Vector4& q, Matrix4& out) {
   const double mean = 0.5 * (a + c), radius = std::hypot(0.5 * (a - c), b);
   const double angle = 0.5 * std::atan2(2.0 * b, a - c);
@@ -70,7 +76,8 @@ void add_positive(double a, double b, double c, const Vector4& p, const Vector4&
          std::max(0.0, mean - radius) * low * low.transpose();
 }
 
-/// In the frame of the signed singular values the Hessian falls apart into a twist, a flip and a 2 x 2 block.
+/// In the frame of the signed singular values the Hessian falls apart into a twist, a flip and a 2
+/// x 2 block.
 Density density(const Eigen::Matrix2d& j, double share, double eps) {
   const double e = 0.5 * (j(0, 0) + j(1, 1)), f = 0.5 * (j(0, 0) - j(1, 1));
   const double g = 0.5 * (j(1, 0) + j(0, 1)), h = 0.5 * (j(1, 0) - j(0, 1));
@@ -80,8 +87,10 @@ Density density(const Eigen::Matrix2d& j, double share, double eps) {
   const Derivatives p = derivatives(s * s + t * t, s * t, share, eps);
   Density out;
   out.gradient = 2.0 * p.n * row_by_row(j) + p.d * Vector4(j(1, 1), -j(1, 0), -j(0, 1), j(0, 0));
-  const Vector4 twist = std::sqrt(0.5) * row_by_row(u * (Eigen::Matrix2d() << 0, -1, 1, 0).finished() * v);
-  const Vector4 flip = std::sqrt(0.5) * row_by_row(u * (Eigen::Matrix2d() << 0, 1, 1, 0).finished() * v);
+  const Vector4 twist =
+      std::sqrt(0.5) * row_by_row(u * (Eigen::Matrix2d() << 0, -1, 1, 0).finished() * v);
+  const Vector4 flip =
+      std::sqrt(0.5) * row_by_row(u * (Eigen::Matrix2d() << 0, 1, 1, 0).finished() * v);
   out.hessian = std::max(0.0, 2.0 * p.n + p.d) * twist * twist.transpose() +
                 std::max(0.0, 2.0 * p.n - p.d) * flip * flip.transpose();
   add_positive(2.0 * p.n + 4.0 * s * t * p.nd + t * t * p.dd,
@@ -96,7 +105,11 @@ class Minimiser {
   Minimiser(const std::vector<Point2>& points, const std::vector<char>& fixed,
             const std::vector<MapTriangle>& triangles, const Metric& metric,
             const FoldoverOptions& options, const Context& context)
-      : points_(points), triangles_(triangles), metric_(metric), options_(options), context_(context) {
+      : points_(points),
+        triangles_(triangles),
+        metric_(metric),
+        options_(options),
+        context_(context) {
     number_unknowns(fixed);
     update_metric();
   }
@@ -136,7 +149,8 @@ class Minimiser {
       if (is_used[i] && !fixed[i]) unknown_[i] = n_unknowns_++;
   }
 
-  /// Garanzha et al., eq. 8: chi of the worst determinant falls by the part by which the energy fell.
+  /// Garanzha et al., eq. 8: chi of the worst determinant falls by the part by which the energy
+  /// fell.
   double next_eps(double eps, double worst, double fall) const {
     const double wished = (1.0 - std::max(fall, least_fall)) * chi(eps, worst);
     if (worst >= wished) return eps_floor;

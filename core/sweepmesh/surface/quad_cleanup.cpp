@@ -16,7 +16,8 @@ using Edge = std::pair<int, int>;
 
 std::vector<Cell> cells_of(const PlanarMesh& mesh) {
   std::vector<Cell> out;
-  for (int c = 0; c < mesh.n_cells(); ++c) out.emplace_back(mesh.cell(c).begin(), mesh.cell(c).end());
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    out.emplace_back(mesh.cell(c).begin(), mesh.cell(c).end());
   return out;
 }
 
@@ -29,7 +30,8 @@ std::map<Edge, int> left_cells(const std::vector<Cell>& cells) {
   return out;
 }
 
-/// Cells from triangle `start` to the nearest other triangle, both included; empty where there is none.
+/// Cells from triangle `start` to the nearest other triangle, both included; empty where there is
+/// none.
 std::vector<int> path_to_triangle(const std::vector<Cell>& cells, const std::map<Edge, int>& left,
                                   int start) {
   std::vector<int> from(cells.size(), -1);
@@ -78,7 +80,8 @@ int shared_edge_start(const Cell& a, const Cell& b) {
   return -1;
 }
 
-/// Moves the triangle in slot `from` over the quad in slot `over`, to lie next to the cell in slot `to`.
+/// Moves the triangle in slot `from` over the quad in slot `over`, to lie next to the cell in slot
+/// `to`.
 bool move_triangle(std::vector<Cell>& cells, const std::vector<Point2>& points, int from, int over,
                    int to) {
   const Cell five = united(cells[from], cells[over]);
@@ -96,7 +99,8 @@ bool move_triangle(std::vector<Cell>& cells, const std::vector<Point2>& points, 
   return true;
 }
 
-bool pair_along(std::vector<Cell>& cells, const std::vector<Point2>& points, const std::vector<int>& path) {
+bool pair_along(std::vector<Cell>& cells, const std::vector<Point2>& points,
+                const std::vector<int>& path) {
   for (std::size_t i = 0; i + 2 < path.size(); ++i)
     if (!move_triangle(cells, points, path[i], path[i + 1], path[i + 2])) return false;
   const Cell quad = united(cells[path[path.size() - 2]], cells[path.back()]);
@@ -163,8 +167,8 @@ class Editor {
   }
 
   int valence(int node) const { return static_cast<int>(at_node_[node].size()); }
-  /// How far `n` quads at a node are from its wish; the boundary cannot give way, so it counts more, and
-  /// most of all where a quad would have to open its corner almost flat.
+  /// How far `n` quads at a node are from its wish; the boundary cannot give way, so it counts
+  /// more, and most of all where a quad would have to open its corner almost flat.
   double cost(int node, int n) const {
     constexpr double boundary_weight = 3.0, flat_weight = 50.0, flat = 1.75;
     if (node >= n_boundary_) return (n - 4.0) * (n - 4.0);
@@ -242,8 +246,8 @@ class Editor {
     for (const int other : at_node_[gone])
       for (const int node : quads_[other])
         if (node == kept && quads_[other] != quad) return false;
-    const double change = gain(kept, valence(gone) - 2) - cost(gone, valence(gone)) + gain(left, -1) +
-                          gain(right, -1);
+    const double change = gain(kept, valence(gone) - 2) - cost(gone, valence(gone)) +
+                          gain(left, -1) + gain(right, -1);
     return change < least_gain;
   }
 
@@ -292,7 +296,8 @@ class Editor {
 };
 
 /// Of a cell without inside nodes and of two loops or more, the loop that comes last.
-void mark_tied_holes(const PlanarMesh& mesh, const std::vector<int>& loop_of, std::vector<char>& marks) {
+void mark_tied_holes(const PlanarMesh& mesh, const std::vector<int>& loop_of,
+                     std::vector<char>& marks) {
   for (int c = 0; c < mesh.n_cells(); ++c) {
     int first = static_cast<int>(marks.size()), last = -1;
     bool has_inside_node = false;
@@ -324,7 +329,8 @@ void add_ring(int first, int count, std::vector<int>& number, PlanarMesh& mesh) 
   const int ring = mesh.n_nodes();
   for (int i = 0; i < count; ++i) {
     const Point2& p = mesh.points[first + i];
-    const Point2 along = mesh.points[first + (i + 1) % count] - mesh.points[first + (i + count - 1) % count];
+    const Point2 along =
+        mesh.points[first + (i + 1) % count] - mesh.points[first + (i + count - 1) % count];
     number[first + i] = ring + i;
     mesh.points.push_back(p + 0.5 * share * Point2(-along.y(), along.x()));
   }
@@ -340,7 +346,8 @@ void add_ring(int first, int count, std::vector<int>& number, PlanarMesh& mesh) 
 std::optional<PlanarMesh> with_triangles_paired(const PlanarMesh& mesh) {
   std::vector<Cell> cells = cells_of(mesh);
   for (;;) {
-    const auto triangle = std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return c.size() == 3; });
+    const auto triangle =
+        std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return c.size() == 3; });
     if (triangle == cells.end()) return with_cells(mesh, cells);
     const auto path =
         path_to_triangle(cells, left_cells(cells), static_cast<int>(triangle - cells.begin()));

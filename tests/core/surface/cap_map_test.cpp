@@ -1,4 +1,7 @@
-// Maps of plane meshes to other boundaries: exactness, untangling, shared distortion, rates at random.
+// Maps of plane meshes to other boundaries: exactness, untangling, shared distortion, rates at
+// random.
+#include "sweepmesh/surface/cap_map.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -6,7 +9,6 @@
 
 #include "cap_shapes.h"
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/surface/cap_map.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
 #include "sweepmesh/surface/planar_pair.h"
@@ -206,9 +208,10 @@ TEST(CapMap, at_random_nothing_is_inverted_while_the_target_is_a_domain) {
         EXPECT_FALSE(e.elements().empty());
       }
     }
-    std::printf("strength %.1f: %d cases; valid: harmonic %d, with energy %d, as a pair %d; "
-                "least scaled Jacobian: worst %.3f, mean %.3f\n",
-                strength, n_cases, n_harmonic_valid, n_alone_valid, n_valid, worst, sum / n_valid);
+    std::printf(
+        "strength %.1f: %d cases; valid: harmonic %d, with energy %d, as a pair %d; "
+        "least scaled Jacobian: worst %.3f, mean %.3f\n",
+        strength, n_cases, n_harmonic_valid, n_alone_valid, n_valid, worst, sum / n_valid);
     EXPECT_EQ(n_valid, n_cases);
   }
 }

@@ -45,8 +45,7 @@ inline std::vector<Point2> as_hole(std::vector<Point2> loop) {
 /// Turned and scaled about `centre`, then moved.
 inline std::vector<Point2> moved(std::vector<Point2> loop, const Point2& centre, double angle,
                                  double factor, const Point2& shift) {
-  for (Point2& p : loop)
-    p = centre + shift + factor * (Eigen::Rotation2Dd(angle) * (p - centre));
+  for (Point2& p : loop) p = centre + shift + factor * (Eigen::Rotation2Dd(angle) * (p - centre));
   return loop;
 }
 
@@ -77,23 +76,22 @@ inline std::vector<Outline> outlines() {
   PlanarLoops plate = {rectangle({0, 0}, {75, 45}, 3.2)};
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 3; ++j)
-      plate.push_back(as_hole(circle(10 + 2 * ((i + j) % 3), 4 + 0.7 * ((i + j) % 3),
-                                     {7.5 + 15 * i, 7.5 + 15 * j})));
+      plate.push_back(as_hole(
+          circle(10 + 2 * ((i + j) % 3), 4 + 0.7 * ((i + j) % 3), {7.5 + 15 * i, 7.5 + 15 * j})));
   const auto square = rectangle({0, 0}, {60, 60}, 3.8);
-  return {
-      {"rectangle", {rectangle({0, 0}, {60, 40}, 3)}, 3},
-      {"trapeze", with_even_count({polygon({{0, 0}, {60, 0}, {45, 40}, {10, 40}}, 3)}), 3},
-      {"triangle", with_even_count({polygon({{0, 0}, {40, 0}, {18, 33}}, 3)}), 3},
-      {"disc", {circle(44, 20, {0, 0})}, 2.9},
-      {"coarse disc", {circle(10, 20, {0, 0})}, 12},
-      {"ring", {circle(40, 20, {0, 0}), as_hole(circle(40, 12, {0, 0}))}, 2.5},
-      {"eccentric ring", {circle(40, 20, {0, 0}), as_hole(circle(24, 9, {4, 2}))}, 3},
-      {"ring of odd loops", {circle(41, 20, {0, 0}), as_hole(circle(25, 9, {4, 2}))}, 3},
-      {"L", {polygon({{0, 0}, {50, 0}, {50, 15}, {15, 15}, {15, 40}, {0, 40}}, 2.5)}, 2.5},
-      {"square with a hole", {square, as_hole(circle(24, 14, {25, 25}))}, 3.8},
-      {"slot", with_even_count({square, as_hole(rectangle({20, 28}, {40, 31}, 2))}), 3.8},
-      {"gear", with_even_count({gear_outline(20), as_hole(circle(28, 7, {0, 0}))}), 2},
-      {"plate with fifteen holes", with_even_count(plate), 3.2}};
+  return {{"rectangle", {rectangle({0, 0}, {60, 40}, 3)}, 3},
+          {"trapeze", with_even_count({polygon({{0, 0}, {60, 0}, {45, 40}, {10, 40}}, 3)}), 3},
+          {"triangle", with_even_count({polygon({{0, 0}, {40, 0}, {18, 33}}, 3)}), 3},
+          {"disc", {circle(44, 20, {0, 0})}, 2.9},
+          {"coarse disc", {circle(10, 20, {0, 0})}, 12},
+          {"ring", {circle(40, 20, {0, 0}), as_hole(circle(40, 12, {0, 0}))}, 2.5},
+          {"eccentric ring", {circle(40, 20, {0, 0}), as_hole(circle(24, 9, {4, 2}))}, 3},
+          {"ring of odd loops", {circle(41, 20, {0, 0}), as_hole(circle(25, 9, {4, 2}))}, 3},
+          {"L", {polygon({{0, 0}, {50, 0}, {50, 15}, {15, 15}, {15, 40}, {0, 40}}, 2.5)}, 2.5},
+          {"square with a hole", {square, as_hole(circle(24, 14, {25, 25}))}, 3.8},
+          {"slot", with_even_count({square, as_hole(rectangle({20, 28}, {40, 31}, 2))}), 3.8},
+          {"gear", with_even_count({gear_outline(20), as_hole(circle(28, 7, {0, 0}))}), 2},
+          {"plate with fifteen holes", with_even_count(plate), 3.2}};
 }
 
 }  // namespace sweepmesh::test
