@@ -1,4 +1,4 @@
-"""FreeCAD runs this file when its window starts: it registers the workbench."""
+"""FreeCAD runs this file when its window starts: it registers the workbench and its page of preferences."""
 import os
 import sys
 
@@ -28,17 +28,21 @@ class SweepMeshWorkbench(FreeCADGui.Workbench):
     def ContextMenu(self, recipient):
         from sweepmesh.gui.commands import COMMANDS
 
-        if recipient == "View":
-            self.appendContextMenu("SweepMesh", COMMANDS[:1])
+        self.appendContextMenu("SweepMesh", COMMANDS)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 
 
+# There is no __file__ here. Init.py has put the folder Mod of this addon on sys.path.
 for folder in sys.path:
-    icon = os.path.join(folder, "sweepmesh", os.pardir, os.pardir, "Resources", "icons", "SweepMesh.svg")
-    if os.path.isfile(icon):
-        SweepMeshWorkbench.Icon = os.path.normpath(icon)
+    resources = os.path.normpath(os.path.join(folder, os.pardir, "Resources"))
+    icon = os.path.join(resources, "icons", "SweepMesh.svg")
+    if os.path.isdir(os.path.join(folder, "sweepmesh", "gui")) and os.path.isfile(icon):
+        SweepMeshWorkbench.Icon = icon
+        FreeCADGui.addIconPath(os.path.join(resources, "icons"))
+        FreeCADGui.addLanguagePath(os.path.join(resources, "translations"))
+        FreeCADGui.addPreferencePage(os.path.join(resources, "ui", "Preferences.ui"), "SweepMesh")
         break
 
 FreeCADGui.addWorkbench(SweepMeshWorkbench())

@@ -24,6 +24,7 @@ void bind_model(py::module_& module) {
                     "One solid of a CAD shape. Faces, edges and vertices count from 0 here.")
       .def_static("from_file", &Model::from_file, py::arg("path"), py::arg("solid"), unlocked())
       .def_static("from_brep", &Model::from_brep, py::arg("text"), py::arg("solid"), unlocked())
+      .def("of_solid", &Model::of_solid, py::arg("solid"), unlocked())
       .def_property_readonly("n_solids", &Model::n_solids)
       .def_property_readonly("n_faces", &Model::n_faces)
       .def_property_readonly("n_edges", &Model::n_edges)

@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/sweep_solids.h"
 
 namespace py = pybind11;
 
@@ -84,7 +84,8 @@ void bind_sweep(py::module_& module) {
         return owner_column(r, offsetof(Owner, index));
       });
   using unlocked = py::call_guard<py::gil_scoped_release>;
-  module.def("sweep", &sweep, py::arg("model"), py::arg("picks"), py::arg("options"),
+  module.def("solids_of", &solids_of, py::arg("model"), unlocked());
+  module.def("sweep", &sweep_solids, py::arg("solids"), py::arg("picks"), py::arg("options"),
              py::arg("context"), unlocked());
   module.def(
       "scaled_jacobians",
@@ -93,7 +94,7 @@ void bind_sweep(py::module_& module) {
             scaled_jacobians(result.mesh, context).data(), result.quality.n_elements));
       },
       py::arg("result"), py::arg("context"), unlocked());
-  module.def("assess", &assess, py::arg("model"), py::arg("picks"), py::arg("context"), unlocked());
+  module.def("assess", &assess_solids, py::arg("solids"), py::arg("picks"), py::arg("context"), unlocked());
 }
 
 }  // namespace sweepmesh

@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
-# Opens FreeCAD with the workbench, and with SHAPE where one is given.
+# Opens FreeCAD with the workbench, and with SHAPE where one is given: gui.sh [SHAPE]
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-if [ $# -gt 0 ] && [ ! -f "$1" ]; then echo "sweepmesh: There is no file $1." >&2; exit 1; fi
-if [ -z "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then echo "sweepmesh: There is no display to open FreeCAD on." >&2; exit 1; fi
+fail() { echo "sweepmesh: $1" >&2; exit 1; }
+[ $# -eq 0 ] || [ -f "$1" ] || fail "There is no file $1."
+[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || fail "There is no display to open FreeCAD on."
 
-mods="${FREECAD_USER_HOME:-$HOME/.local/share/FreeCAD}/Mod"
-if [ ! -e "$mods/SweepMesh" ]; then
+mods="${FREECAD_USER_HOME:-${XDG_DATA_HOME:-$HOME/.local/share}/FreeCAD}/Mod"
+if [ "$(readlink -f "$mods/SweepMesh")" != "$root" ]; then
   mkdir -p "$mods"
   ln -sfn "$root" "$mods/SweepMesh"
-  echo "Linked $root into $mods."
+  echo "Linked $root as $mods/SweepMesh."
 fi
-exec freecad "$@"
+# The browser of FreeCAD's start page refuses to run as root unless it is told so.
+[ "$(id -u)" -ne 0 ] || export QTWEBENGINE_DISABLE_SANDBOX=1
+exec freecad "$@" "$root/scripts/activate_workbench.py"

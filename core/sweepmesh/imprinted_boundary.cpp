@@ -41,7 +41,7 @@ class BoundaryMesher {
     edges_ = mesh_edges(model_, counts_.intervals,
                         place_imprinted_nodes(model_, imprint_, counts_, options_), out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);
-    base_ = mesh_base(imprint_, counts_.edge, options_.size, kind_, context_);
+    base_ = mesh_base(model_, imprint_, counts_.edge, options_.size, kind_, context_);
     find_base_nodes();
     make_columns();
     add_linking_columns();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sweepmesh/base/context.h"
+#include "sweepmesh/intervals/interval_options.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/quality/quality.h"
@@ -42,10 +43,20 @@ struct SweepResult {
 };
 
 /// Decides (or takes from `picks`) sources and targets, meshes caps and linking faces, and places
-/// the interior. Throws the stages' errors; a solid that cannot be swept is a normal result with
-/// reasons.
+/// the interior. Where the best scheme cannot be meshed, the next ones are tried; the one that was
+/// used is the first of result.assessment.schemes, and a warning tells of the others. Throws the
+/// stages' errors; a solid that cannot be swept is a normal result with reasons, and so is one whose
+/// elements stay inverted wherever the inner nodes are put (a geometric reason, no mesh).
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context);
+
+// For callers that run the stages one by one, as plan.h does. The first three throw InputError.
+void check_options(const SweepOptions& options);
+void check_picks(const Picks& picks);
+/// Throws where more elements are to be expected than `options` allow.
+void refuse_explosion(const Model& model, const SweepOptions& options, double size);
+IntervalOptions interval_options(const SweepOptions& options, double size);
+bool is_one_to_one(const Scheme& scheme);
 
 /// The size that fills the solid's volume with about 3000 cubes.
 double default_size(const Model& model);

@@ -55,6 +55,8 @@ def shapes(tmp_path_factory):
     brick.exportBrep(str(folder / "brick.brep"))
     _voids().exportStep(str(folder / "voids.step"))
     Part.Compound([brick, Part.makeBox(1, 1, 1, FreeCAD.Vector(100, 0, 0))]).exportStep(str(folder / "two.step"))
+    beside = Part.makeBox(10, 40, 25, FreeCAD.Vector(60, 0, 0))
+    Part.Compound([brick, beside]).exportStep(str(folder / "touching.step"))
     _write_bad(folder, brick)
     _write_documents(folder, brick)
     return folder

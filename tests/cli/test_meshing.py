@@ -96,11 +96,21 @@ def test_unsweepable_is_status_2_with_reasons(sweepmesh, shapes, tmp_path, mode)
     assert report["reasons"] and not (tmp_path / "voids.vtu").exists()
 
 
-def test_the_first_of_several_solids_is_taken_and_said(sweepmesh, shapes):
-    done = sweepmesh(shapes / "two.step", "--size", 5)
-    assert done.returncode == 0 and "480" in done.stdout and "2 solids" in done.stderr
-    done = sweepmesh(shapes / "two.step", "--size", 0.25, "--solid", 2)
-    assert done.returncode == 0 and "64" in done.stdout
+def test_all_solids_are_meshed_or_the_chosen_one(sweepmesh, shapes, tmp_path):
+    def hexahedra(*options):
+        done = sweepmesh(shapes / "two.step", "--size", 5, "--report", "report.json", *options)
+        assert done.returncode == 0, done.stderr
+        return json.loads((tmp_path / "report.json").read_text())["counts"]["hexa"]
+
+    assert hexahedra("--solid", 1) == 480
+    assert hexahedra("--solid", 2) == 1
+    assert hexahedra() == 481
+
+
+def test_touching_solids_are_said_to_share_no_nodes(sweepmesh, shapes):
+    done = sweepmesh(shapes / "touching.step", "--size", 5)
+    assert done.returncode == 0 and "share no nodes" in done.stderr
+    assert "share no nodes" not in sweepmesh(shapes / "two.step", "--size", 5).stderr
 
 
 def test_the_result_of_a_document_is_taken_not_its_parts(sweepmesh, shapes):

@@ -35,7 +35,7 @@ class Case:
 
     @property
     def genus(self):
-        """Of each shell of the solid."""
+        """Of each shell of the solids."""
         return self.entry["genus"]
 
     @property

@@ -20,13 +20,11 @@ def shape_of(source):
 def brep_of(source):
     """Return the BREP text of a document object or a shape, faces numbered as FreeCAD numbers them.
 
-    Raises InputError where there is not exactly one solid to mesh.
+    Raises InputError where there is no solid to mesh.
     """
     shape = shape_of(source)
     if not shape.Solids:
         raise input_error("The shape holds no solid: only solids can be swept.")
-    if len(shape.Solids) > 1:
-        raise input_error(f"The shape holds {len(shape.Solids)} solids: take them apart and mesh them one by one.")
     return shape.exportBrepToString()
 
 
@@ -36,9 +34,9 @@ def has_solid(source):
     return isinstance(shape, Part.Shape) and not shape.isNull() and len(shape.Solids) > 0
 
 
-def proposed_size(source, n_elements=3000):
-    """Return an edge length, rounded to two digits, that makes about `n_elements` elements of the shape."""
-    volume = abs(shape_of(source).Volume)
+def proposed_size(source, n_elements):
+    """Return an edge length, rounded to two digits, that makes about `n_elements` elements of the smallest solid."""
+    volume = min((abs(solid.Volume) for solid in shape_of(source).Solids), default=0.0)
     return float(f"{(volume / n_elements) ** (1 / 3):.2g}")
 
 

@@ -8,6 +8,7 @@ Each takes a document object or a Part shape, and settings by keyword:
     order         1 or 2
     sources       faces from which the mesh is swept; none given: found
     targets       faces on which it ends; none given: found
+    solid         which solid of several is meshed, from 1; none given: all, side by side
     pairs         [(source, target), ...]: this source is to be swept to this target
     threads       0: all processors
     max_elements  refuse meshes that would have more
@@ -22,11 +23,16 @@ from sweepmesh.app.shapes import brep_of, face_number
 
 @dataclass
 class Plan:
-    """What a mesh would be made of; `print` it, change it, hand it to `mesh`."""
+    """What a mesh would be made of; `print` it, change its `options`, hand it to `mesh`."""
 
     brep: str = field(repr=False)
     options: object
-    assessment: object
+    details: object = field(repr=False)
+    """The engine's SweepPlan: vertex types (`corners`), `intervals`, `levels`, `edge_roles`, `size`, `n_layers`."""
+
+    @property
+    def assessment(self):
+        return self.details.assessment
 
     @property
     def is_sweepable(self):
@@ -37,6 +43,11 @@ class Plan:
         """{"Face1": "source", ...} as picked and found."""
         return self.assessment.roles
 
+    @property
+    def intervals(self):
+        """{"Edge1": 12, ...}: mesh edges on each edge of the solid."""
+        return self.details.intervals
+
     def faces(self, role):
         """Return the names of the faces with a role ("source", "target", "linking"), by number."""
         return faces_with(self.roles, role)
@@ -44,7 +55,8 @@ class Plan:
     def __str__(self):
         if not self.is_sweepable:
             return "\n".join(["Not sweepable."] + [f"  {reason.text}" for reason in self.assessment.reasons])
-        return "\n".join(f"{role:8} {' '.join(self.faces(role))}" for role in ("source", "target", "linking"))
+        lines = [f"{role:8} {' '.join(self.faces(role))}" for role in ("source", "target", "linking")]
+        return "\n".join(lines + [f"size     {self.details.size:g}", f"layers   {self.details.n_layers}"])
 
 
 def faces_with(roles, role):
@@ -68,13 +80,14 @@ def assess(source, **settings):
 
 
 def plan(source, **settings):
-    """Return the `Plan` for a mesh: the settings with sources and targets as picked and, otherwise, found."""
+    """Return the `Plan` for a mesh: settings, sources and targets as picked or found, numbers of mesh edges."""
     brep, options = brep_of(source), options_for(source, **settings)
-    assessment = engine.assess(brep, options)
-    if assessment.verdict == "sweepable":
-        options.sources = [int(name[4:]) for name in faces_with(assessment.roles, "source")]
-        options.targets = [int(name[4:]) for name in faces_with(assessment.roles, "target")]
-    return Plan(brep, options, assessment)
+    details = engine.plan(brep, options)
+    made = Plan(brep, options, details)
+    if made.is_sweepable:
+        options.sources = [int(name[4:]) for name in made.faces("source")]
+        options.targets = [int(name[4:]) for name in made.faces("target")]
+    return made
 
 
 def mesh(source, progress=None, **settings):

@@ -47,7 +47,7 @@ def make_parser():
     add = parser.add_argument
     add("shape", metavar="SHAPE", help="a .step, .stp, .iges, .igs, .brep or .FCStd file")
     add("--object", metavar="NAME", help="the object of an .FCStd file (default: its first solid)")
-    add("--solid", type=int, default=1, metavar="N", help="the solid of a shape of several (default: 1)")
+    add("--solid", type=int, metavar="N", help="mesh this solid of a shape of several (default: all)")
     add("--version", action="version", version=f"SweepMesh {__version__}")
 
     sweep = parser.add_argument_group("sweep", "FACE is a name (Face7) or a point on the face (x,y,z)")

@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import sys
 import time
 
@@ -26,6 +27,8 @@ def main(arguments=None):
 
 def end_with(work):
     """Ends the process with the status that `work` returns; whatever it raises becomes a sentence and FAILED."""
+    for stop in (signal.SIGINT, signal.SIGTERM):  # a shell may have had SIGINT ignored
+        signal.signal(stop, signal.default_int_handler)
     try:
         status = work()
     except engine.SweepMeshError as error:
@@ -37,6 +40,8 @@ def end_with(work):
         status = FAILED
     except MemoryError:
         status = _fail("There is not enough memory for this mesh: choose a larger size.")
+    except Exception as error:  # no traceback reaches a user; the sentence says what there is to report
+        status = _fail(f"An unexpected error, {type(error).__name__}: {' '.join(str(error).split())}.")
     _leave(status)
 
 
@@ -45,7 +50,9 @@ def _run(arguments):
     started = time.perf_counter()
     for path in arguments.out:
         output.check_path(path)
-    state = {"assessment": None, "result": None, "seconds": {}}
+    if arguments.report:
+        output.check_folder(arguments.report)
+    state = {"assessment": None, "result": None, "seconds": {}, "warnings": []}
     try:
         _work(arguments, state)
     except engine.SweepMeshError as error:
@@ -55,6 +62,9 @@ def _run(arguments):
         raise
     state["seconds"]["total"] = time.perf_counter() - started
     report = _write_report(arguments.report, **state)
+    if not arguments.quiet:
+        for warning in state["warnings"]:
+            print(f"sweepmesh: warning: {warning}", file=sys.stderr)
     is_sweepable = state["assessment"].is_sweepable
     if not arguments.quiet:
         print(reports.text_of(report))
@@ -65,24 +75,22 @@ def _run(arguments):
 
 def _work(arguments, state):
     """Reads, assesses or meshes, and writes; what is known goes into `state` as soon as it is."""
-    seconds = state["seconds"]
+    seconds, warnings = state["seconds"], state["warnings"]
     with progress_bar(not arguments.quiet) as progress:
         with _timed(seconds, "read"):
-            shape = shapes.read_shape(arguments.shape, arguments.object, arguments.solid)
-        for warning in shape.warnings:
-            _warn(warning)
+            shape = shapes.read_shape(arguments.shape, arguments.object)
+        warnings += shape.warnings
         options = make_options(arguments, shape.model)
         if arguments.assess:
             with _timed(seconds, "assess"):
                 state["assessment"] = engine.assess(shape.model, options, progress)
             return
         result = engine.mesh(shape.model, options, progress)
-    state.update(result=result, assessment=result.assessment)
-    for warning in result.warnings:
-        _warn(warning)
-    with _timed(seconds, "write"):
+        warnings += result.warnings
+        state.update(result=result, assessment=result.assessment)
         if result.assessment.is_sweepable:
-            write_all(arguments.out, result, shape, options)
+            with _timed(seconds, "write"):
+                write_all(arguments.out, result, shape, options, progress)
 
 
 def make_options(arguments, model):
@@ -93,6 +101,7 @@ def make_options(arguments, model):
         element=arguments.element,
         order=arguments.order,
         threads=arguments.threads,
+        solid=arguments.solid,
         max_elements=NO_LIMIT if arguments.force else None,
         sources=[shapes.face_number(model, face) for face in arguments.source],
         targets=[shapes.face_number(model, face) for face in arguments.target],
@@ -123,10 +132,6 @@ class _timed:
 
     def __exit__(self, *_exception):
         self._seconds[self._stage] = time.perf_counter() - self._started
-
-
-def _warn(sentence):
-    print(f"sweepmesh: warning: {sentence}", file=sys.stderr)
 
 
 def _fail(sentence):

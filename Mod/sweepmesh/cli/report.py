@@ -8,7 +8,7 @@ BAR_WIDTH = 40
 STAGES = ["read", "assess", "imprint", "intervals", "surface", "place", "quality", "write", "total"]
 
 
-def make_report(assessment=None, result=None, seconds=None, error=None):
+def make_report(assessment=None, result=None, seconds=None, warnings=(), error=None):
     """The report as a plain dict; its keys are always the same.
 
     `error` is the SweepMeshError that ended the run, its sentence, stage and entities go in; the verdict is
@@ -25,7 +25,7 @@ def make_report(assessment=None, result=None, seconds=None, error=None):
         "counts": _counts(result),
         "quality": result.quality if result else {},
         "seconds": {stage: round(times.get(stage, 0.0), 6) for stage in STAGES},
-        "warnings": result.warnings if result else [],
+        "warnings": list(warnings),
         "error": _error(error),
         "peak_memory_mb": _peak_memory(),
     }

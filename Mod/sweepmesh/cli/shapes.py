@@ -5,8 +5,9 @@ import pathlib
 import re
 from typing import List, Optional
 
-from sweepmesh.engine import Model, read
+from sweepmesh.engine import Model, face_at, read
 from sweepmesh.engine.errors import input_error
+from sweepmesh.engine.model import as_model
 from sweepmesh.freecad import import_freecad, muted
 
 MESH_SUFFIXES = {".stl", ".obj", ".ply", ".off", ".3mf", ".amf", ".vtk", ".vtu", ".msh", ".inp", ".unv", ".med"}
@@ -33,11 +34,9 @@ class Shape:
     warnings: List[str] = dataclasses.field(default_factory=list)
 
 
-def read_shape(path, object_name=None, solid=1):
-    """Reads SHAPE; `solid` counts from 1. Raises InputError."""
+def read_shape(path, object_name=None):
+    """Reads SHAPE. Raises InputError."""
     path = pathlib.Path(path)
-    if solid < 1:
-        raise input_error("Solids are counted from 1: --solid 1 is the first.")
     if path.suffix.lower() in MESH_SUFFIXES:
         raise input_error(f"{path} is a mesh, not a CAD solid: give a STEP, IGES, BREP or FCStd file.")
     is_document = path.suffix.lower() == ".fcstd"
@@ -45,19 +44,15 @@ def read_shape(path, object_name=None, solid=1):
         raise input_error(f"--object names an object of an .FCStd file, which {path} is not.")
     with muted():
         if is_document:
-            shape = _read_document(path, object_name, solid)
-        else:
-            shape = Shape(read(path, solid - 1), Source(path))
-    if shape.model.n_solids > 1:
-        shape.warnings.append(f"{path} has {shape.model.n_solids} solids; solid {solid} is used.")
-    return shape
+            return _read_document(path, object_name)
+        return Shape(read(path), Source(path))
 
 
-def _read_document(path, object_name, solid):
+def _read_document(path, object_name):
     if not path.is_file():
         raise input_error(f"There is no file {path}.")
     chosen, warnings = _choose_object(_open_document(path), path, object_name)
-    model = Model.from_brep(chosen.Shape.exportBrepToString(), solid - 1)
+    model = as_model(chosen.Shape.exportBrepToString())
     return Shape(model, Source(path, chosen.Name), warnings)
 
 
@@ -111,15 +106,15 @@ def face_number(model, text):
         point = []
     if len(point) != 3 or any(abs(part) == float("inf") or part != part for part in point):
         raise input_error(f"'{text}' names no face: give a name as Face7 or a point as 1.5,0,20.")
-    face = model.nearest_face(point)
-    distance = model.distance_to_face(face, point)
+    face = face_at(model, point)
+    distance = model.distance_to_face(face - 1, point)
     if distance > POINT_TOLERANCE * model.model_size:
         raise input_error(
-            f"The point {text} lies on no face: the nearest, Face{face + 1}, is {distance:.4g} away.",
+            f"The point {text} lies on no face: the nearest, Face{face}, is {distance:.4g} away.",
             "assess",
-            [f"Face{face + 1}"],
+            [f"Face{face}"],
         )
-    return face + 1
+    return face
 
 
 def face_pair(model, text):

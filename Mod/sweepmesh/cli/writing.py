@@ -11,7 +11,6 @@ import pickle
 import subprocess
 import sys
 import tempfile
-from typing import Optional
 
 from sweepmesh import output
 from sweepmesh.cli import shapes
@@ -28,9 +27,10 @@ class Job:
     options: Options
 
 
-def write_all(paths, result, shape, options):
+def write_all(paths, result, shape, options, progress):
     """Writes the result to each path. Raises InputError or SweepMeshError; no file is left half-written."""
-    for path in paths:
+    for i, path in enumerate(paths):
+        progress.update(i / len(paths), f"Writing {path}")
         if pathlib.Path(path).suffix.lower() in output.OWN_FORMATS:
             output.write(result, path)
         else:
@@ -59,7 +59,7 @@ def _write_in_process(job):
 def _work(path):
     """The writing process: does the job in the file `path`."""
     with open(path, "rb") as file:
-        job: Optional[Job] = pickle.load(file)
+        job = pickle.load(file)
     made = None
     if job.path.lower().endswith(".fcstd"):
         made = shapes.document_object(job.shape)

@@ -1,7 +1,9 @@
-"""Meshes the example part, solves a small analysis on it and draws both: python -m sweepmesh.demo"""
+"""Meshes the example part, solves a small analysis on it and draws both: python -m sweepmesh.demo [FOLDER]"""
 
 import contextlib
+import os
 import pathlib
+import sys
 import tempfile
 import time
 
@@ -26,7 +28,7 @@ FIXED, LOADED = (-25.0, 0.0, -60.0), (60.0, 0.0, 25.0)
 
 def main(folder):
     """Does it all; files go to `folder`. Returns the exit status."""
-    folder.mkdir(exist_ok=True)
+    folder.mkdir(parents=True, exist_ok=True)
     files = {suffix: folder / (PART.stem + suffix) for suffix in (".vtu", ".inp", ".FCStd", ".png")}
     seconds = {}
     print(f"{PART.name}: a 90 degree elbow with three channels, swept from end to end\n")
@@ -51,7 +53,7 @@ def main(folder):
     with picture.display():
         picture.draw(files[".vtu"], files[".png"])
     for path in files.values():
-        print(f"{path.relative_to(ROOT)}  {path.stat().st_size / 1e6:.2f} MB")
+        print(f"{os.path.relpath(path)}  {path.stat().st_size / 1e6:.2f} MB")
     return DONE
 
 
@@ -90,4 +92,5 @@ def _timed(seconds, stage):
 
 
 if __name__ == "__main__":
-    end_with(lambda: main(ROOT / "out"))
+    target = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "out"
+    end_with(lambda: main(target))

@@ -10,6 +10,7 @@ from sweepmesh.engine.errors import (
 )
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
+from sweepmesh.engine.plans import SweepPlan, plan
 from sweepmesh.engine.progress import Progress
 from sweepmesh.engine.results import Assessment, Reason, Result
 from sweepmesh.engine.stages import assess, mesh
@@ -26,9 +27,11 @@ __all__ = [
     "Result",
     "SolverError",
     "SweepMeshError",
+    "SweepPlan",
     "__version__",
     "assess",
     "face_at",
     "mesh",
+    "plan",
     "read",
 ]

@@ -32,6 +32,9 @@ class Options:
     pairs: List[Tuple[int, int]] = dataclasses.field(default_factory=list)
     """(source, target): this source is to be swept to this target."""
 
+    solid: Optional[int] = None
+    """The solid to mesh, from 1, in a shape of several. None: all of them."""
+
     def to_core(self):
         """The same as the C++ module's SweepOptions."""
         core = _sweepmesh.SweepOptions()

@@ -3,14 +3,14 @@
 import time
 
 from sweepmesh.engine import _sweepmesh
-from sweepmesh.engine.model import as_model
+from sweepmesh.engine.model import as_model, chosen_solids
 from sweepmesh.engine.options import Options
 from sweepmesh.engine.results import Assessment, Result
 from sweepmesh.engine.worker import run
 
 
 def assess(shape, options=None, progress=None):
-    """Can the solid be swept, from which faces to which?
+    """Can the solid, or each solid of several, be swept, from which faces to which?
 
     `shape` is BREP text (`Part.Shape.exportBrepToString()`) or a Model. Returns an Assessment; that a solid
     cannot be swept is a normal answer. Raises InputError for a shape or an option that cannot be used.
@@ -18,14 +18,14 @@ def assess(shape, options=None, progress=None):
     options = options or Options()
 
     def work(context):
-        model = as_model(shape)
-        return _sweepmesh.assess(model, options.picks(model.n_faces), context)
+        solids = chosen_solids(as_model(shape), options.solid)
+        return _sweepmesh.assess(solids, options.picks(solids[0].n_faces), context)
 
     return Assessment.from_core(run(work, options.threads, progress))
 
 
 def mesh(shape, options=None, progress=None):
-    """The swept mesh of a solid, as a Result.
+    """The swept mesh of a solid, or of all solids of a shape, as a Result.
 
     `shape` is BREP text or a Model. A solid that cannot be swept gives a Result without elements whose
     assessment has the reasons. Raises InputError, SolverError, InvalidMeshError, or Cancelled when
@@ -36,9 +36,9 @@ def mesh(shape, options=None, progress=None):
     seconds = {}
 
     def work(context):
-        model = as_model(shape)
+        solids = chosen_solids(as_model(shape), options.solid)
         seconds["read"] = time.perf_counter() - started
-        core = _sweepmesh.sweep(model, options.picks(model.n_faces), options.to_core(), context)
+        core = _sweepmesh.sweep(solids, options.picks(solids[0].n_faces), options.to_core(), context)
         return core, _sweepmesh.scaled_jacobians(core, context)
 
     result = Result.from_core(*run(work, options.threads, progress))

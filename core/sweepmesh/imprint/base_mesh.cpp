@@ -1,6 +1,13 @@
 #include "sweepmesh/imprint/base_mesh.h"
 
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+#include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
+#include "sweepmesh/surface/quad_cleanup.h"
+#include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
 namespace {
@@ -33,18 +40,61 @@ std::vector<int> nodes_of(const BaseMesh& base, const std::vector<DirectedEdge>&
   return out;
 }
 
-void add_patch(int patch, const std::vector<std::vector<DirectedEdge>>& loops,
-               const PlanarMeshOptions& options, const Context& context, BaseMesh& base) {
+/// Boundary nodes where a single cell would have to open its corner almost flat in one of the shapes.
+int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
+  constexpr double flat = 160.0 / 180.0 * std::numbers::pi;
+  std::vector<int> count(mesh.n_nodes(), 0);
+  for (const int n : mesh.cell_nodes) ++count[n];
+  int n_flat = 0;
+  for (int i = 0; i < mesh.n_boundary; ++i)
+    n_flat += std::any_of(angles.begin(), angles.end(),
+                          [&](const auto& row) { return row[i] > flat * count[i]; });
+  return n_flat;
+}
+
+/// Where every candidate has flat corners: the same with a ring of cells along the boundary, in which
+/// every node has two cells at least.
+void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Context& context,
+                std::vector<PlanarMesh>& candidates) {
+  if (std::any_of(candidates.begin(), candidates.end(),
+                  [&](const PlanarMesh& m) { return n_flat_corners(m, angles) == 0; }))
+    return;
+  for (std::size_t i = 0, n = candidates.size(); i < n; ++i) {
+    const PlanarMesh ringed = smoothed(with_rings(candidates[i], loops, angles), {}, context);
+    candidates.push_back(smoothed(with_regular_valences(ringed, angles), {}, context));
+  }
+}
+
+PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
+                          const Context& context) {
+  const auto rank = [&](const PlanarMesh& m) {
+    return std::pair(-n_flat_corners(m, angles), overall_quality(m));
+  };
+  auto best = std::max_element(candidates.begin(), candidates.end(),
+                               [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  constexpr double worth_raising = 0.7;
+  constexpr int n_rounds = 6;
+  if (quality(best->points, *best).n_inverted == 0)
+    best->points = with_worst_raised(*best, best->points, worth_raising, n_rounds, {}, context);
+  return std::move(*best);
+}
+
+void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+               int patch, const PlanarMeshOptions& options, const Context& context,
+               BaseMesh& base) {
   std::vector<int> node;
-  PlanarLoops points;
-  for (const auto& loop : loops) {
-    points.emplace_back();
+  PlanarLoops loops;
+  for (const auto& loop : imprint.patches[patch].loops) {
+    loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
       node.push_back(n);
-      points.back().push_back(base.points[n]);
+      loops.back().push_back(base.points[n]);
     }
   }
-  const PlanarMesh mesh = mesh_planar(points, options, context);
+  const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
+  std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
+  if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
+  const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
   for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
     base.points.push_back(mesh.points[i]);
@@ -56,6 +106,67 @@ void add_patch(int patch, const std::vector<std::vector<DirectedEdge>>& loops,
   }
 }
 
+// --- smoothing across imprint edges ----------------------------------------------------------------
+
+/// Nodes on edges that have a patch on one side only.
+std::vector<char> outer_nodes(const Imprint& imprint, const BaseMesh& base) {
+  std::vector<int> n_sides(imprint.edges.size(), 0);
+  for (const Patch& p : imprint.patches)
+    for (const auto& loop : p.loops)
+      for (const DirectedEdge& d : loop) ++n_sides[d.edge];
+  std::vector<char> out(base.n_nodes(), 0);
+  for (std::size_t e = 0; e < n_sides.size(); ++e)
+    if (n_sides[e] < 2)
+      for (const int n : base.edge_nodes[e]) out[n] = 1;
+  return out;
+}
+
+/// Cells below `limit` and `rings` rings of cells around them.
+std::vector<char> cells_around_poor(const BaseMesh& base, double limit, int rings) {
+  std::vector<char> is_in(base.n_cells(), 0), touched(base.n_nodes(), 0);
+  for (int c = 0; c < base.n_cells(); ++c)
+    is_in[c] = scaled_jacobian(base.points, base.cell(c)) < limit;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int c = 0; c < base.n_cells(); ++c)
+      if (is_in[c])
+        for (const int n : base.cell(c)) touched[n] = 1;
+    for (int c = 0; c < base.n_cells(); ++c)
+      for (const int n : base.cell(c)) is_in[c] = is_in[c] || touched[n];
+  }
+  return is_in;
+}
+
+/// Smooths poor cells and those around them, nodes of inner imprint edges included.
+void relax(const Imprint& imprint, const Context& context, BaseMesh& base) {
+  constexpr double poor = 0.3;
+  constexpr int rings = 3;
+  const auto is_in = cells_around_poor(base, poor, rings);
+  std::vector<char> fixed = outer_nodes(imprint, base), used(base.n_nodes(), 0);
+  for (int c = 0; c < base.n_cells(); ++c)
+    for (const int n : base.cell(c)) (is_in[c] ? used : fixed)[n] = 1;
+  PlanarMesh part;
+  std::vector<int> number(base.n_nodes(), -1), node;
+  for (const char wanted : {1, 0}) {
+    for (int n = 0; n < base.n_nodes(); ++n)
+      if (used[n] && fixed[n] == wanted) {
+        number[n] = part.n_nodes();
+        node.push_back(n);
+        part.points.push_back(base.points[n]);
+      }
+    if (wanted) part.n_boundary = part.n_nodes();
+  }
+  for (int c = 0; c < base.n_cells(); ++c) {
+    if (!is_in[c]) continue;
+    std::vector<int> cell;
+    for (const int n : base.cell(c)) cell.push_back(number[n]);
+    part.add_cell(cell);
+  }
+  if (part.n_boundary == 0 || part.n_boundary == part.n_nodes()) return;
+  const PlanarMesh smooth = smoothed(part, {}, context);
+  if (quality(smooth.points, smooth).min <= quality(part.points, part).min) return;
+  for (std::size_t i = 0; i < node.size(); ++i) base.points[node[i]] = smooth.points[i];
+}
+
 std::vector<std::string> caps_of(const Patch& patch) {
   std::vector<std::string> names;
   for (const Run& r : patch.runs)
@@ -63,10 +174,23 @@ std::vector<std::string> caps_of(const Patch& patch) {
   return names;
 }
 
+void throw_if_inverted(const Imprint& imprint, const BaseMesh& base) {
+  std::vector<long> inverted;
+  for (int c = 0; c < base.n_cells(); ++c)
+    if (scaled_jacobian(base.points, base.cell(c)) <= 0.0) inverted.push_back(c);
+  if (inverted.empty()) return;
+  const Patch& patch = imprint.patches[base.cell_patch[inverted.front()]];
+  throw InvalidMeshError("surface",
+                         "The mesh of the patch between " + name_of(patch.runs[0].target) + " and " +
+                             name_of(patch.runs[0].source) +
+                             " keeps inverted cells; try a smaller element size.",
+                         caps_of(patch), inverted);
+}
+
 }  // namespace
 
-BaseMesh mesh_base(const Imprint& imprint, const std::vector<int>& counts, double size,
-                   CellKind kind, Context& context) {
+BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                   double size, CellKind kind, Context& context) {
   BaseMesh base;
   add_edge_nodes(imprint, counts, base);
   PlanarMeshOptions options;
@@ -80,13 +204,15 @@ BaseMesh mesh_base(const Imprint& imprint, const std::vector<int>& counts, doubl
              name_of(patch.runs[0].source) + ": " + e.what();
     };
     try {
-      add_patch(static_cast<int>(p), patch.loops, options, context, base);
-    } catch (const InvalidMeshError& e) {
-      throw InvalidMeshError(e.stage(), sentence(e), caps_of(patch), e.elements());
+      add_patch(model, imprint, counts, static_cast<int>(p), options, context, base);
     } catch (const InputError& e) {
       throw InputError(e.stage(), sentence(e), caps_of(patch));
+    } catch (const SolverError& e) {
+      throw SolverError(e.stage(), sentence(e), caps_of(patch));
     }
   }
+  relax(imprint, context, base);
+  throw_if_inverted(imprint, base);
   return base;
 }
 

@@ -6,6 +6,7 @@
 
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/imprint/imprint.h"
+#include "sweepmesh/model/model.h"
 #include "sweepmesh/surface/quad_mesher.h"
 
 namespace sweepmesh {
@@ -24,9 +25,11 @@ struct BaseMesh {
   }
 };
 
-/// `counts` are the mesh edges on each imprint edge. Throws what mesh_planar throws, naming the caps
-/// of the patch.
-BaseMesh mesh_base(const Imprint& imprint, const std::vector<int>& counts, double size,
-                   CellKind kind, Context& context);
+/// Meshes patch by patch, the number of cells at each boundary node chosen to suit R and all caps
+/// (patch_angles.h). Where cells come out poor, they and those around them are smoothed with the
+/// nodes of inner imprint edges free: R need not follow the curves, every cap does that for its own.
+/// `counts` are the mesh edges on each imprint edge. Throws what mesh_planar throws, naming the caps.
+BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                   double size, CellKind kind, Context& context);
 
 }  // namespace sweepmesh

@@ -25,6 +25,11 @@ std::vector<double> length_fractions(const Model& model, EdgeId e, const std::ve
 
 std::vector<double> even_parameters(const Model& model, EdgeId e, double first, double last,
                                     int n) {
+  if (first > last) {  // the model wants ascending fractions
+    std::vector<double> t = even_parameters(model, e, last, first, n);
+    std::reverse(t.begin(), t.end());
+    return t;
+  }
   const std::vector<double> ends = length_fractions(model, e, {first, last});
   std::vector<double> fractions;
   for (int i = 0; i <= n; ++i) fractions.push_back(ends[0] + (ends[1] - ends[0]) * i / n);

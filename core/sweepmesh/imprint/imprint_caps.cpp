@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sweepmesh/imprint/overlay.h"
 #include "sweepmesh/imprint/patches.h"
 #include "sweepmesh/imprint/reference.h"
+#include "sweepmesh/imprint/slab_reference.h"
 #include "sweepmesh/imprint/sweep_levels.h"
 #include "sweepmesh/imprint/walls.h"
 
@@ -26,14 +28,34 @@ void check(const ImprintOptions& options) {
     throw InputError("imprint", "The merge fraction must lie between 0 and 1.");
 }
 
+double upright_area(const Model& model, const Walls& walls, const Reference& seen) {
+  double area = 0.0;
+  for (const FaceId f : model.faces())
+    if (!walls.bottoms[f.index].empty() && is_upright(walls, seen, f)) area += model.area(f);
+  return area;
+}
+
+/// R as seen along the direction in which all linking faces stand upright, or slab by slab where
+/// there is none, seen along the direction in which most of them do.
 Reference reference_of(const Model& model, const Scheme& scheme, const Walls& walls,
-                       const std::vector<int>& level, double tolerance, const Context& context) {
-  if (const auto direction = common_direction(model, scheme, level, tolerance))
-    if (auto reference = projected_reference(model, walls, *direction, tolerance, context))
-      return std::move(*reference);
-  throw ImprintError(ImprintFailure::unreachable,
-                     "The columns of the sweep do not stand over each other along one direction.",
-                     {});
+                       const std::vector<int>& level, double tolerance, double size,
+                       const Context& context) {
+  std::optional<Reference> best;
+  Point3 best_direction = Point3::Zero();
+  double most = -1.0;
+  for (const Point3& direction : common_directions(model, scheme, level)) {
+    Reference seen = projected_reference(model, walls, direction, tolerance, context);
+    if (is_upright(walls, seen)) return seen;
+    const double area = upright_area(model, walls, seen);
+    if (area <= most) continue;
+    most = area;
+    best = std::move(seen);
+    best_direction = direction;
+  }
+  if (!best)
+    throw ImprintError(ImprintFailure::unreachable,
+                       "The columns of the sweep do not run along one direction.", {});
+  return slab_reference(model, scheme, walls, best_direction, *best, size, context);
 }
 
 }  // namespace
@@ -44,7 +66,7 @@ Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOpti
   const std::vector<int> level = sweep_levels(model, scheme);
   const Walls walls = find_walls(model, scheme, level);
   const double tolerance = coincidence(model, options);
-  const Reference reference = reference_of(model, scheme, walls, level, tolerance, context);
+  const Reference reference = reference_of(model, scheme, walls, level, tolerance, options.size, context);
   const double merge = std::max(tolerance, options.merge_fraction * options.size);
   return imprint_of(model, scheme, walls,
                     overlay(model, scheme, walls, reference, merge, context));

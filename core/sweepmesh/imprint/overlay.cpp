@@ -1,7 +1,9 @@
 #include "sweepmesh/imprint/overlay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 #include "sweepmesh/imprint/forest.h"
@@ -20,12 +22,13 @@ class Overlayer {
         scheme_(scheme),
         walls_(walls),
         reference_(reference),
-        occupancy_(walls, reference),
+        occupancy_(model, walls, reference),
         near_(merge_distance),
         context_(context) {}
 
   Overlay run() {
     make_nodes();
+    find_corners();
     make_pieces();
     const std::size_t most = 100 + 10 * graph_.pieces.size();  // a guard: a few rounds are usual
     for (std::size_t round = 0; round < most; ++round) {
@@ -73,6 +76,17 @@ class Overlayer {
     }
   }
 
+  /// Nodes at which all curves turn sharply may be moved onto a curve that passes by.
+  void find_corners() {
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      bool is_corner = true;
+      for (const VertexId v : graph_.nodes[n].cad)
+        for (const auto& [edge, away] : directions_at(v))
+          is_corner = is_corner && turn_at(edge, v) > corner_;
+      is_corner_[n] = is_corner;
+    }
+  }
+
   const Point2& place_of(int column) const {
     return reference_.vertex[columns_[column].vertices.front().index];
   }
@@ -115,10 +129,11 @@ class Overlayer {
     return at_arc(line, length(line) * (at_start ? little : 1.0 - little)).point;
   }
 
-  bool collide(const std::vector<Place>& a, const std::vector<Place>& b) const {
+  bool collide(const std::vector<Place>& a, const std::vector<Place>& b,
+               const std::vector<VertexId>& there = {}) const {
     for (const Place& p : a)
       for (const Place& q : b)
-        if (occupancy_.collide(p, q)) return true;
+        if (occupancy_.collide(p, q, there)) return true;
     return false;
   }
 
@@ -127,7 +142,7 @@ class Overlayer {
       for (const int c : found->second)
         for (const Place& p : there)
           if (occupancy_.collide(columns_[c].column, p)) return true;
-    return collide(places_through(node), there);
+    return collide(places_through(node), there, graph_.nodes[node].cad);
   }
 
   // --- pieces ------------------------------------------------------------------------------------
@@ -197,10 +212,21 @@ class Overlayer {
       if (is_cut[s.piece]) continue;
       const double fraction = s.arc / length(graph_.pieces[s.piece].points);
       if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
+      const Point2 foot = at_arc(graph_.pieces[s.piece].points, s.arc).point;
       split(graph_, s.piece, s.arc, s.node);
+      if (is_corner_[s.node]) move_node(s.node, foot);
       is_cut[s.piece] = any = true;
     }
     return any;
+  }
+
+  /// Moves a node once; all its pieces follow.
+  void move_node(int node, const Point2& to) {
+    graph_.nodes[node].point = to;
+    is_corner_[node] = false;
+    for (Piece& p : graph_.pieces)
+      if (!p.traces.empty() && (p.start == node || p.end == node))
+        p.points = with_ends(p.points, graph_.nodes[p.start].point, graph_.nodes[p.end].point);
   }
 
   bool is_inside(const Polyline& line, double arc) const {
@@ -225,11 +251,51 @@ class Overlayer {
           }
   }
 
-  /// Of two curves that come together the straighter one stays where it is.
+  /// Of two curves that come together the one that turns less at its ends stays where it is, so that
+  /// no cap has a corner where its own boundary is smooth; or else the straighter one.
   bool is_shape_kept(int piece, int other) const {
+    const double turn = turn_of(piece), other_turn = turn_of(other);
+    if (std::abs(turn - other_turn) > corner_) return turn < other_turn;
     const std::size_t n = graph_.pieces[piece].points.size();
     const std::size_t m = graph_.pieces[other].points.size();
     return std::tie(n, piece) < std::tie(m, other);
+  }
+
+  double turn_of(int piece) const {
+    const Piece& p = graph_.pieces[piece];
+    const EdgeId e = p.traces.front().edge;
+    double sum = 0.0;
+    for (const int node : {p.start, p.end})
+      for (const VertexId v : {model_.start(e), model_.end(e)})
+        if (node_of_[v.index] == node) sum += turn_at(e, v);
+    return sum;
+  }
+
+  /// The least angle by which a way along an edge turns at the edge's end, to go on along another
+  /// edge of its level (or the same one, where it is closed).
+  double turn_at(EdgeId e, VertexId v) const {
+    double least = std::numbers::pi;
+    for (const auto& [edge, away] : directions_at(v)) {
+      if (edge != e) continue;
+      for (const auto& [other, onwards] : directions_at(v)) {
+        if ((other == e && onwards == away) || walls_.level[other.index] != walls_.level[e.index])
+          continue;
+        least = std::min(least, std::numbers::pi - std::acos(std::clamp(away.dot(onwards), -1.0, 1.0)));
+      }
+    }
+    return least;
+  }
+
+  /// The curves that end in a vertex, with their unit directions away from it.
+  std::vector<std::pair<EdgeId, Point2>> directions_at(VertexId v) const {
+    std::vector<std::pair<EdgeId, Point2>> out;
+    for (const ReferenceCurve& c : reference_.curves) {
+      const auto& p = c.points;
+      if (model_.start(c.edge) == v) out.push_back({c.edge, (p[1] - p[0]).normalized()});
+      if (model_.end(c.edge) == v)
+        out.push_back({c.edge, (p[p.size() - 2] - p.back()).normalized()});
+    }
+    return out;
   }
 
   void merge(int a, int b) {
@@ -296,6 +362,7 @@ class Overlayer {
   }
 
   int add_node(const Point2& p) {
+    is_corner_.push_back(false);
     graph_.nodes.push_back({p, {}});
     return static_cast<int>(graph_.nodes.size()) - 1;
   }
@@ -391,7 +458,9 @@ class Overlayer {
   const Occupancy occupancy_;
   const double near_;
   const Context& context_;
+  static constexpr double corner_ = 0.35;  ///< radians; what turns less is smooth
   PieceGraph graph_;
+  std::vector<char> is_corner_;                 ///< by node: it may still be moved
   struct CadColumn {
     std::vector<VertexId> vertices;
     Occupancy::Column column;

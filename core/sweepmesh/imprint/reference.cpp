@@ -39,6 +39,7 @@ class Sampler {
       const double b = first + (last - first) * (i + 1) / n_parts;
       refine(a, at(a), b, at(b), 0);
     }
+    out_.t.back() = last;
     if (model_.start(edge_) == model_.end(edge_)) out_.points.back() = out_.points.front();
     if (is_straight()) {
       out_.points = {out_.points.front(), out_.points.back()};
@@ -105,20 +106,17 @@ bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& other
   return true;
 }
 
-bool are_walls_upright(const Walls& walls, const Reference& reference) {
+std::vector<const ReferenceCurve*> by_edge(const Walls& walls, const Reference& reference) {
   std::vector<const ReferenceCurve*> curve(walls.level.size(), nullptr);
   for (const ReferenceCurve& c : reference.curves) curve[c.edge.index] = &c;
-  for (std::size_t f = 0; f < walls.tops.size(); ++f)
-    if (!lie_over(walls.bottoms[f], walls.tops[f], curve, reference.coincidence) ||
-        !lie_over(walls.tops[f], walls.bottoms[f], curve, reference.coincidence))
-      return false;
-  return true;
+  return curve;
 }
 
 }  // namespace
 
-std::optional<Point3> common_direction(const Model& model, const Scheme& scheme,
-                                       const std::vector<int>& level, double tolerance) {
+std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
+                                      const std::vector<int>& level) {
+  constexpr std::size_t most = 10;
   std::vector<Point3> chords;
   Point3 sum = Point3::Zero();
   for (const EdgeId e : model.edges()) {
@@ -128,16 +126,23 @@ std::optional<Point3> common_direction(const Model& model, const Scheme& scheme,
     chords.push_back(level[b.index] >= level[a.index] ? chord : Point3(-chord));
     sum += chords.back();
   }
-  if (sum.norm() <= tolerance) return std::nullopt;
-  const Point3 d = sum.normalized();
+  std::vector<Point3> out;
+  const auto add = [&](const Point3& d) {
+    const bool is_new = std::none_of(out.begin(), out.end(), [&](const Point3& other) {
+      return other.cross(d).norm() < model.tolerances().angle;
+    });
+    const bool rises = std::all_of(chords.begin(), chords.end(),
+                                   [&](const Point3& c) { return c.dot(d) > 0.0; });
+    if (is_new && rises && out.size() < most) out.push_back(d);
+  };
+  if (sum.norm() > model.tolerances().point) add(sum.normalized());
   for (const Point3& c : chords)
-    if ((c - c.dot(d) * d).norm() > tolerance || c.dot(d) <= 0.0) return std::nullopt;
-  return d;
+    if (c.norm() > model.tolerances().point) add(c.normalized());
+  return out;
 }
 
-std::optional<Reference> projected_reference(const Model& model, const Walls& walls,
-                                             const Point3& direction, double coincidence,
-                                             const Context& context) {
+Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
+                              double coincidence, const Context& context) {
   const Projection project(direction);
   Reference reference;
   reference.coincidence = coincidence;
@@ -147,8 +152,20 @@ std::optional<Reference> projected_reference(const Model& model, const Walls& wa
   }
   for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
   for (const VertexId v : model.vertices()) reference.vertex[v.index] = project(model.point(v));
-  if (!are_walls_upright(walls, reference)) return std::nullopt;
   return reference;
+}
+
+bool is_upright(const Walls& walls, const Reference& seen, FaceId face) {
+  const auto curve = by_edge(walls, seen);
+  const auto &bottoms = walls.bottoms[face.index], &tops = walls.tops[face.index];
+  return lie_over(bottoms, tops, curve, seen.coincidence) &&
+         lie_over(tops, bottoms, curve, seen.coincidence);
+}
+
+bool is_upright(const Walls& walls, const Reference& seen) {
+  for (std::size_t f = 0; f < walls.tops.size(); ++f)
+    if (!is_upright(walls, seen, FaceId{f})) return false;
+  return true;
 }
 
 }  // namespace sweepmesh

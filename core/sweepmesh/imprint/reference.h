@@ -5,7 +5,6 @@
 // that direction. The direction need not be an axis, and caps may be inclined or curved.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "sweepmesh/base/context.h"
@@ -29,16 +28,19 @@ struct Reference {
   double coincidence = 0.0;    ///< curves nearer than this are the same one in the CAD model
 };
 
-/// The direction in which all axial edges run from their lower to their upper end, if there is one
-/// to within `tolerance` at their ends. Empty without axial edges.
-std::optional<Point3> common_direction(const Model& model, const Scheme& scheme,
-                                       const std::vector<int>& level, double tolerance);
+/// Directions along which every axial edge rises from its lower to its upper end: their mean, and
+/// those of single edges, no two nearly parallel, at most ten.
+std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
+                                      const std::vector<int>& level);
 
-/// R by projection along `direction` (seen against it, so that a source's normal points to the
-/// viewer). Empty where a linking face's lower and upper edges do not lie over each other.
-/// `coincidence` > 0 also bounds the chord error of the curves (a quarter of it).
-std::optional<Reference> projected_reference(const Model& model, const Walls& walls,
-                                             const Point3& direction, double coincidence,
-                                             const Context& context);
+/// All curves by projection along `direction` (seen against it, so that a source's normal points to
+/// the viewer). `coincidence` > 0 also bounds the chord error of the curves (a quarter of it).
+Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
+                              double coincidence, const Context& context);
+
+/// Whether a linking face's lower and upper edges lie over each other, or those of all linking faces
+/// do: then the projection is R.
+bool is_upright(const Walls& walls, const Reference& seen, FaceId face);
+bool is_upright(const Walls& walls, const Reference& seen);
 
 }  // namespace sweepmesh

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/separation.h"
@@ -59,16 +60,21 @@ SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, Interv
   context.check(stage);
   const Separation separation(model, scheme, options.size);
   separation.add_gaps(demands);
-  const CountOptions how{.time_limit_seconds = options.time_limit_seconds};
+  CountOptions how{.time_limit_seconds = options.time_limit_seconds};
   const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
-  for (int round = 0;; ++round) {
+  std::optional<SolvedIntervals> best;
+  for (int round = 0; round < max_rounds; ++round) {
     context.report(static_cast<double>(round) / max_rounds, "Assigning numbers of mesh edges");
-    CountSolution solution = solve_counts(demands.problem, how, context);
-    if (!solution.is_feasible()) report_conflict(demands.problem, solution.conflict);
-    if (round < max_rounds && separation.add_violated(solution, demands) > 0) continue;
-    Intervals intervals = to_intervals(demands, solution);
-    return {std::move(intervals), std::move(solution.values)};
+    const CountSolution solution = solve_counts(demands.problem, how, context);
+    if (!solution.is_feasible) {
+      if (!best) report_conflict(demands.problem, solution.conflict);
+      break;  // the order of some face's sides is too much to ask: its grid will tell
+    }
+    best = {to_intervals(demands, solution), solution.values};
+    how.explain = false;
+    if (separation.add_violated(solution, demands) == 0) break;
   }
+  return std::move(*best);
 }
 
 Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,

@@ -12,8 +12,9 @@ namespace sweepmesh {
 
 /// Whole numbers that meet the demands of interval_demands.h and deviate from the wished counts as
 /// count_problem.h weighs it. k of every vertex on a linking face or a cap's boundary; the lowest
-/// is 0. Throws InputError for options that make no sense, and SolverError where the demands
-/// contradict each other: it names a smallest set of them, and the entities concerned.
+/// is 0. Throws InputError for options that make no sense and for linking faces with a pole, and
+/// SolverError where the demands contradict each other: it names a smallest set of them, and the
+/// entities concerned.
 Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                            Context& context);
 

@@ -50,14 +50,15 @@ struct CountOptions {
   double time_limit_seconds = 10.0;  ///< for each independent part of the problem
   /// Cost of an odd sum where an even one is preferred, in the unit of the cost above.
   double odd_penalty = 0.5;
+  bool explain = true;  ///< look for the smallest conflict where there is no solution
 };
 
 struct CountSolution {
+  bool is_feasible = false;
   std::vector<long> values;  ///< empty where infeasible
   bool is_optimal = true;    ///< false: the time limit was reached, the best so far is used
   double cost = 0.0;
   std::vector<int> conflict;  ///< infeasible: demands that contradict each other, as few as found
-  bool is_feasible() const { return conflict.empty(); }
 };
 
 /// Solves by merging unknowns that must be equal, fixing those that only an even sum could move

@@ -62,22 +62,32 @@ Point2 mean_scale(const Model& model, FaceId face, const Lines& lines) {
   return sum / n;
 }
 
-/// Mean direction of i and of k as columns, or nothing where one is missing.
-bool find_frame(const FaceScheme& scheme, const Lines& lines, Eigen::Matrix2d& frame) {
-  frame.setZero();
-  for (std::size_t l = 0; l < lines.size(); ++l)
+/// Sum of the chords along i and of those along k, as columns, over a range of loops.
+Eigen::Matrix2d chord_sums(const FaceScheme& scheme, const Lines& lines, std::size_t n_loops) {
+  Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
+  for (std::size_t l = 0; l < n_loops; ++l)
     for (std::size_t c = 0; c < lines[l].size(); ++c) {
       const Direction d = scheme.direction[l][c];
       const bool forward = d == Direction::plus_i || d == Direction::plus_k;
       const Point2 chord = lines[l][c].back() - lines[l][c].front();
-      frame.col(is_axial(d) ? 1 : 0) += forward ? chord : Point2(-chord);
+      sums.col(is_axial(d) ? 1 : 0) += forward ? chord : Point2(-chord);
     }
-  const double along_i = frame.col(0).norm(), along_k = frame.col(1).norm();
-  if (along_i == 0.0 || along_k == 0.0) return false;
-  frame.col(0) /= along_i;
-  frame.col(1) /= along_k;
-  const double least_sine = 0.1;  // closer to parallel, the frame tells nothing
-  return std::abs(frame.determinant()) > least_sine;
+  return sums;
+}
+
+/// Mean directions of i and k as columns: those of the outer loop (holes may be turned in the
+/// face), or of all loops where it has none. False where there are none, or next to parallel ones.
+bool find_frame(const FaceScheme& scheme, const Lines& lines, Eigen::Matrix2d& frame) {
+  const double least_sine = 0.1;
+  for (const std::size_t n_loops : {std::size_t{1}, lines.size()}) {
+    frame = chord_sums(scheme, lines, n_loops);
+    const double along_i = frame.col(0).norm(), along_k = frame.col(1).norm();
+    if (along_i == 0.0 || along_k == 0.0) continue;
+    frame.col(0) /= along_i;
+    frame.col(1) /= along_k;
+    if (std::abs(frame.determinant()) > least_sine) return true;
+  }
+  return false;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweepmesh/base/errors.h"
 #include "sweepmesh/intervals/wishes.h"
 
 namespace sweepmesh {
@@ -90,7 +91,19 @@ class Builder {
       demand(Kind::preferably_even, sum, 0.0, {name_of(f)}, "each loop should be even");
   }
 
+  void refuse_poles(FaceId f) {
+    for (const Loop& loop : model_.loops(f))
+      for (const Coedge& c : loop)
+        if (!c.edge.is_valid())
+          throw InputError("intervals",
+                           name_of(f) +
+                               " is a linking face with a pole, where a structured grid would "
+                               "collapse to a point.",
+                           {name_of(f)});
+  }
+
   void add_linking(FaceId f) {
+    refuse_poles(f);
     const auto& loops = model_.loops(f);
     const auto& scheme = scheme_.face[f.index];
     out_.offset[f.index].assign(loops.size(), -1);
@@ -122,7 +135,6 @@ class Builder {
     Terms steps;
     const auto& loop = model_.loops(f)[l];
     for (std::size_t c = 0; c < loop.size(); ++c) {
-      if (!loop[c].edge.is_valid()) continue;
       const Direction d = scheme_.face[f.index].direction[l][c];
       if (is_axial(d))
         tie_levels(loop[c], d);

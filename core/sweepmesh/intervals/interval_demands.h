@@ -29,7 +29,8 @@ struct IntervalDemands {
 ///    tube they cancel together, and the upper one lies at least a layer above the lower;
 ///  - quad caps: an even sum around all loops, preferably around each, and no loop below four;
 ///  - closed edges get at least three; user's counts and number of layers.
-/// Roles `none` demand nothing beyond the caps' sums. Throws what wished_counts throws.
+/// Roles `none` demand nothing beyond the caps' sums. Throws what wished_counts throws, and
+/// InputError for a linking face with a pole (a degenerate edge).
 IntervalDemands interval_demands(const Model& model, const Scheme& scheme,
                                  const IntervalOptions& options);
 

@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 
+#include "sweepmesh/intervals/grid_region.h"
+
 namespace sweepmesh {
 namespace {
 
@@ -14,6 +16,12 @@ using Terms = std::vector<IntegerProgram::Term>;
 struct Side {
   int loop = 0, coedge = 0;
   auto operator<=>(const Side&) const = default;
+};
+
+/// A vertex where the face's boundary turns, with its sides along k and along i.
+struct Corner {
+  Side axial, transverse;
+  Point2 at;  ///< in the layout
 };
 
 /// A side that a line across the face meets, and where.
@@ -33,9 +41,12 @@ class FaceSides {
       : loops_(model.loops(face)),
         directions_(scheme.face[face.index].direction),
         face_(face),
-        layout_(layout) {}
+        layout_(layout),
+        tolerance_(1e3 * model.tolerances().point) {}
 
   FaceId face() const { return face_; }
+  /// Sides closer than this in the layout lie on one line.
+  double tolerance() const { return tolerance_; }
   bool has_side(Across a, const Side& s) const {
     return is_axial(direction(s)) == (a == Across::i);
   }
@@ -46,6 +57,22 @@ class FaceSides {
         const Side s{static_cast<int>(l), static_cast<int>(c)};
         if (has_side(a, s)) out.push_back(s);
       }
+    return out;
+  }
+
+  /// Where the face's interior angle is more than a half turn.
+  std::vector<Corner> reentrant_corners() const {
+    std::vector<Corner> out;
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      const int n = static_cast<int>(loops_[l].size());
+      for (int c = 0; c < n; ++c) {
+        const Side before{static_cast<int>(l), (c + n - 1) % n}, after{static_cast<int>(l), c};
+        const bool is_axial_after = has_side(Across::i, after);
+        if (turned(direction(before), VertexType::corner) != direction(after)) continue;
+        out.push_back(
+            {is_axial_after ? after : before, is_axial_after ? before : after, at(after, 0.0)});
+      }
+    }
     return out;
   }
 
@@ -78,19 +105,22 @@ class FaceSides {
     return line[p] + (x - static_cast<double>(p)) * (line[p + 1] - line[p]);
   }
 
+  /// Layout points of all boundary nodes, loop by loop, at equal steps along each side.
+  std::vector<Point2> boundary_points(const CountSolution& s, const IntervalDemands& d) const {
+    std::vector<Point2> out;
+    for (std::size_t l = 0; l < loops_.size(); ++l)
+      for (std::size_t c = 0; c < loops_[l].size(); ++c) {
+        const long n = s.values[d.edge[loops_[l][c].edge.index]];
+        for (long step = 0; step < n; ++step)
+          out.push_back(at({static_cast<int>(l), static_cast<int>(c)}, double(step) / n));
+      }
+    return out;
+  }
+
   /// i (of an axial side) or k (of a transverse one) as a sum of unknowns.
   Terms position(Across a, const Side& s, const IntervalDemands& d) const {
     const Coedge& c = loops_[s.loop][s.coedge];
     return a == Across::k ? Terms{{d.vertex[c.start.index], 1.0}} : i_at_start(s, d);
-  }
-
-  /// Range of the other coordinate that a side covers: its start and end there.
-  std::pair<Terms, Terms> extent(Across a, const Side& s, const IntervalDemands& d) const {
-    const Coedge& c = loops_[s.loop][s.coedge];
-    if (a == Across::i) return {{{d.vertex[c.start.index], 1.0}}, {{d.vertex[c.end.index], 1.0}}};
-    Terms end = i_at_start(s, d);
-    end.push_back({d.edge[c.edge.index], direction(s) == Direction::plus_i ? 1.0 : -1.0});
-    return {i_at_start(s, d), end};
   }
 
  private:
@@ -112,6 +142,7 @@ class FaceSides {
   const std::vector<std::vector<Direction>>& directions_;
   FaceId face_;
   const FaceLayout& layout_;
+  double tolerance_;
 };
 
 long value(const Terms& terms, const CountSolution& s) {
@@ -177,68 +208,133 @@ class GapAdder {
   std::set<std::pair<Side, Side>> known_;
 };
 
-/// Order of the sides in the strips between the whole numbers where sides begin or end.
-class OrderChecker {
+/// The face's loops as the solution has them.
+std::vector<GridLoop> grid_loops(const Model& model, const Scheme& scheme, FaceId f,
+                                 const IntervalDemands& d, const CountSolution& s) {
+  std::vector<GridLoop> out;
+  const auto& loops = model.loops(f);
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const int offset = d.offset[f.index][l];
+    const long i = offset < 0 ? 0 : s.values[offset];
+    const long k = s.values[d.vertex[loops[l].front().start.index]];
+    out.push_back({{static_cast<int>(i), static_cast<int>(k)}, {}});
+    for (std::size_t c = 0; c < loops[l].size(); ++c)
+      out.back().steps.insert(out.back().steps.end(), s.values[d.edge[loops[l][c].edge.index]],
+                              scheme.face[f.index].direction[l][c]);
+  }
+  return out;
+}
+
+/// Adds the order of one face's sides in the layout where the solution has it otherwise.
+class OrderAdder {
  public:
-  OrderChecker(const FaceSides& face, Across a, const CountSolution& solution,
-               IntervalDemands& demands)
-      : face_(face), across_(a), demands_(demands), sides_(face.sides(a)) {
-    for (const Side& s : sides_) {
-      const auto [start, end] = face.extent(a, s, demands);
-      start_.push_back(value(start, solution));
-      end_.push_back(value(end, solution));
-      position_.push_back(value(face.position(a, s, demands), solution));
-    }
+  OrderAdder(const FaceSides& face, const CountSolution& solution, IntervalDemands& demands)
+      : face_(face), solution_(solution), demands_(demands) {}
+
+  /// Sides that see each other along lines through the quarters of every side.
+  int add(Across a) {
+    const int before = n_added_;
+    for (const Side& s : face_.sides(a))
+      for (const double fraction : {0.25, 0.5, 0.75}) {
+        const auto met = across_layout(face_, a, face_.at(s, fraction)[a == Across::i ? 1 : 0]);
+        for (std::size_t j = 0; j + 1 < met.size(); ++j)
+          require(a, met[j].side, met[j + 1].side, j % 2 == 0 ? 1 : 0);
+      }
+    return n_added_ - before;
   }
 
-  int check() {
-    std::set<long> breaks(start_.begin(), start_.end());
-    breaks.insert(end_.begin(), end_.end());
-    for (auto b = breaks.begin(); b != breaks.end() && std::next(b) != breaks.end(); ++b)
-      check_strip(0.5 * static_cast<double>(*b + *std::next(b)));
-    return n_added_;
+  /// All sides, in the order of their middles: a weak order, equal where they lie on one line. Grid
+  /// lines that are monotone in the layout can only touch where a neck between two corners
+  /// collapses.
+  int add_all(Across a) {
+    const int before = n_added_;
+    const auto sides = in_order(a);
+    for (std::size_t j = 0; j + 1 < sides.size(); ++j) {
+      add_order(a, sides[j], sides[j + 1], 0);
+      if (place(a, sides[j + 1]) - place(a, sides[j]) <= face_.tolerance())
+        add_order(a, sides[j + 1], sides[j], 0);
+    }
+    return n_added_ - before;
+  }
+
+  /// Two re-entrant corners in one grid point: the neck of the face between them has collapsed. It
+  /// is opened in the direction in which it is longer.
+  int add_necks() {
+    const int before = n_added_;
+    const auto corners = face_.reentrant_corners();
+    for (std::size_t a = 0; a < corners.size(); ++a)
+      for (std::size_t b = a + 1; b < corners.size(); ++b)
+        if (coincide(corners[a], corners[b])) open_neck(corners[a], corners[b]);
+    return n_added_ - before;
   }
 
  private:
-  void check_strip(double middle) {
-    std::vector<Crossing> met;
-    for (std::size_t j = 0; j < sides_.size(); ++j) {
-      const double fraction = (middle - start_[j]) / static_cast<double>(end_[j] - start_[j]);
-      if (!(fraction > 0.0 && fraction < 1.0)) continue;
-      const double at = face_.at(sides_[j], fraction)[across_ == Across::i ? 0 : 1];
-      met.push_back({sides_[j], at, face_.opens(sides_[j])});
-    }
-    met = taking_turns(std::move(met));
-    for (std::size_t j = 0; j + 1 < met.size(); ++j)
-      require(met[j].side, met[j + 1].side, j % 2 == 0 ? 1 : 0);
+  double place(Across a, const Side& s) const { return face_.middle(s)[a == Across::i ? 0 : 1]; }
+
+  std::vector<Side> in_order(Across a) const {
+    auto sides = face_.sides(a);
+    std::stable_sort(sides.begin(), sides.end(),
+                     [&](const Side& s, const Side& t) { return place(a, s) < place(a, t); });
+    return sides;
   }
 
-  void require(const Side& low, const Side& high, int least) {
-    if (position_of(high) - position_of(low) >= least || !known_.insert({low, high}).second) return;
+  long position(Across a, const Side& s) const {
+    return value(face_.position(a, s, demands_), solution_);
+  }
+  bool coincide(const Corner& a, const Corner& b) const {
+    return position(Across::i, a.axial) == position(Across::i, b.axial) &&
+           position(Across::k, a.transverse) == position(Across::k, b.transverse);
+  }
+  void open_neck(const Corner& a, const Corner& b) {
+    const Point2 apart = b.at - a.at;
+    const bool along_i = std::abs(apart.x()) > std::abs(apart.y());
+    const bool is_a_first = (along_i ? apart.x() : apart.y()) > 0.0;
+    const Corner &low = is_a_first ? a : b, &high = is_a_first ? b : a;
+    if (along_i)
+      add_order(Across::i, low.axial, high.axial, 1);
+    else
+      add_order(Across::k, low.transverse, high.transverse, 1);
+  }
+
+  /// Where the solution has it otherwise, and each pair once.
+  void require(Across a, const Side& low, const Side& high, int least) {
+    if (!known_.insert({low, high}).second) return;
+    const Terms terms =
+        difference(face_.position(a, high, demands_), face_.position(a, low, demands_));
+    if (value(terms, solution_) < least) add_order(a, low, high, least);
+  }
+
+  void add_order(Across a, const Side& low, const Side& high, int least) {
+    Terms terms = difference(face_.position(a, high, demands_), face_.position(a, low, demands_));
+    if (value(terms, solution_) < least) ++n_added_;
     const std::string name = name_of(face_.face());
-    Terms terms =
-        difference(face_.position(across_, high, demands_), face_.position(across_, low, demands_));
     demands_.problem.demand({Kind::at_least,
                              std::move(terms),
                              static_cast<double>(least),
                              {name},
                              "the sides of " + name + " must not touch or cross"});
-    ++n_added_;
-  }
-
-  long position_of(const Side& s) const {
-    const auto at = std::lower_bound(sides_.begin(), sides_.end(), s);
-    return position_[static_cast<std::size_t>(at - sides_.begin())];
   }
 
   const FaceSides& face_;
-  Across across_;
+  const CountSolution& solution_;
   IntervalDemands& demands_;
-  std::vector<Side> sides_;
-  std::vector<long> start_, end_, position_;
   std::set<std::pair<Side, Side>> known_;
   int n_added_ = 0;
 };
+
+/// Whether a corner of a quad is folded that no interior node could unfold: it and its two
+/// neighbours in the quad lie on the boundary, and turn the wrong way in the layout.
+bool has_folded_corner(const GridRegion& region, const FaceSides& face,
+                       const CountSolution& solution, const IntervalDemands& demands) {
+  const auto at = face.boundary_points(solution, demands);
+  for (const auto& cell : region.cells)
+    for (int c = 0; c < 4; ++c) {
+      const int a = cell[c], next = cell[(c + 1) % 4], before = cell[(c + 3) % 4];
+      if (std::max({a, next, before}) >= region.n_boundary) continue;
+      if (cross2(at[next] - at[a], at[before] - at[a]) <= 0.0) return true;
+    }
+  return false;
+}
 
 /// One loop of END and SIDE vertices is a rectangle, whatever the counts.
 bool is_four_sided(const FaceScheme& face) {
@@ -273,9 +369,15 @@ void Separation::add_gaps(IntervalDemands& demands) const {
 int Separation::add_violated(const CountSolution& solution, IntervalDemands& demands) const {
   int n_added = 0;
   for (std::size_t j = 0; j < faces_.size(); ++j) {
+    const auto region = fill_region(grid_loops(model_, scheme_, faces_[j], demands, solution));
     const FaceSides face(model_, scheme_, faces_[j], layouts_[j]);
-    for (const Across a : {Across::i, Across::k})
-      n_added += OrderChecker(face, a, solution, demands).check();
+    OrderAdder order(face, solution, demands);
+    int n_of_face = 0;
+    if (!region) n_of_face = order.add(Across::i) + order.add(Across::k);
+    if (n_of_face == 0 && (!region || has_folded_corner(*region, face, solution, demands)))
+      n_of_face = order.add_all(Across::i) + order.add_all(Across::k);
+    if (n_of_face == 0 && !region) n_of_face = order.add_necks();
+    n_added += n_of_face;
   }
   return n_added;
 }

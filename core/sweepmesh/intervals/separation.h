@@ -27,8 +27,12 @@ class Separation {
   /// the size.
   void add_gaps(IntervalDemands& demands) const;
 
-  /// Order that the solution violates, as further demands (on i or k). Returns how many were added:
-  /// none means that every face whose layout is known bounds a region, as far as order tells.
+  /// For every face whose loops bound no region in the solution: the order of sides that see each
+  /// other in the layout, where the solution has it otherwise, as further demands on i or k; where
+  /// that is not the cause, or a quad is folded by boundary nodes alone, the order of all its
+  /// sides; where a neck between two re-entrant corners has collapsed, that it opens. Returns how
+  /// many were added that the solution violates; none means that nothing is wrong, or nothing that
+  /// order could mend.
   int add_violated(const CountSolution& solution, IntervalDemands& demands) const;
 
  private:

@@ -44,6 +44,9 @@ class Model {
   /// From text in OpenCASCADE's BREP format (FreeCAD's `Shape.exportBrepToString()`).
   static Model from_brep(const std::string& text, int solid = 0);
 
+  /// The same shape seen from another of its solids, 0 <= solid < n_solids(). Throws InputError.
+  Model of_solid(int solid) const;
+
   /// Of the whole shape.
   int n_solids() const;
   int n_faces() const;

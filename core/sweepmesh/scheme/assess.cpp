@@ -1,6 +1,7 @@
 #include "sweepmesh/scheme/assess.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/scheme/pairs.h"
@@ -24,6 +25,22 @@ int index_of(const SweepProblem& problem, FaceId id) {
   if (at == problem.faces.end())
     throw InputError("assess", name_of(id) + " is not a face of this solid.", {name_of(id)});
   return static_cast<int>(at - problem.faces.begin());
+}
+
+std::vector<FixedCorner> fixed_corners(const SweepProblem& problem,
+                                       const std::vector<TypePick>& types) {
+  std::vector<FixedCorner> out;
+  for (const TypePick& pick : types) {
+    const int face = index_of(problem, pick.face), first = problem.first_coedge(face);
+    const std::size_t n_before = out.size();
+    for (int c = first; c < first + problem.n_coedges(face); ++c)
+      if (problem.coedges[c].end == pick.vertex.index) out.push_back({c, pick.type});
+    if (out.size() == n_before)
+      throw InputError("assess",
+                       name_of(pick.vertex) + " is not a vertex of " + name_of(pick.face) + ".",
+                       {name_of(pick.vertex), name_of(pick.face)});
+  }
+  return out;
 }
 
 /// A picked face and the states that it may have.
@@ -52,7 +69,7 @@ Choices start_of(const Network& network, const std::vector<Pick>& picks) {
 
 /// Raises the limit of cost until something is found, then looks once more for what is nearly as
 /// good.
-SearchResult search(const Network& network, const std::vector<Pick>& picks, const Context& context,
+SearchResult search(const Network& network, const std::vector<Pick>& picks, Context& context,
                     SearchOptions options = {}) {
   const Choices start = start_of(network, picks);
   options.is_symmetric = picks.empty();
@@ -69,20 +86,41 @@ SearchResult search(const Network& network, const std::vector<Pick>& picks, cons
   return wider.is_complete ? wider : result;
 }
 
+int count(const Division& division, StateSet role) {
+  return static_cast<int>(
+      std::count(division.choices.role.begin(), division.choices.role.end(), role));
+}
+
+/// Caps that were not picked, where sources and targets were; else 0.
+int n_unasked_caps(const Division& division, const std::vector<Pick>& picks) {
+  const auto has_picked = [&](StateSet role) {
+    return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
+  };
+  if (!has_picked(kSourceStates) || !has_picked(kTargetStates)) return 0;
+  return count(division, kSourceStates) + count(division, kTargetStates) -
+         static_cast<int>(picks.size());
+}
+
+/// Best first. Where nothing tells sources and targets apart (no picks), the more are the sources.
 std::vector<Scheme> ranked(const Model& model, const Network& network,
-                           const std::vector<Division>& divisions) {
-  std::vector<std::pair<Rank, const Division*>> order;
-  for (const Division& d : divisions) order.emplace_back(rank_of(network, d), &d);
-  std::ranges::sort(order, {}, &std::pair<Rank, const Division*>::first);
+                           std::vector<Division> divisions, const std::vector<Pick>& picks) {
+  std::vector<std::tuple<bool, Rank, const Division*>> order;
+  for (Division& d : divisions) {
+    if (picks.empty() && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
+    order.emplace_back(n_unasked_caps(d, picks) > 0, rank_of(network, d), &d);
+  }
+  std::ranges::sort(order, [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+  });
   std::vector<Scheme> out;
-  for (const auto& [rank, d] : order)
+  for (const auto& [is_unasked, rank, d] : order)
     out.push_back(to_scheme(network, *d, model.n_faces(), model.n_edges()));
   return out;
 }
 
 /// The picks without each of which the others can be met; all where no single one is to blame.
 std::vector<FaceId> blamed_picks(const Network& network, const std::vector<Pick>& picks,
-                                 const Context& context) {
+                                 Context& context) {
   std::vector<FaceId> blamed, all;
   SearchOptions brief;
   brief.max_effort /= 4 * static_cast<long>(picks.size());
@@ -108,9 +146,21 @@ std::optional<Reason> keep_paired(const Network& network, const Picks& picks,
   return divisions.empty() ? first : std::nullopt;
 }
 
+/// Whether the edges of a shell bend all outwards or all inwards.
+bool is_convex_shell(const SweepProblem& problem, int shell) {
+  const AngleLimits limits = radial_limits();
+  bool bends_out = false, bends_in = false;
+  for (const ProblemEdge& edge : problem.edges) {
+    if (problem.faces[problem.coedges[edge.coedge[0]].face].shell != shell) continue;
+    bends_out |= edge.least < 2 * kQuarterTurn - limits.margin;
+    bends_in |= edge.largest > 2 * kQuarterTurn + limits.margin;
+  }
+  return !(bends_out && bends_in);
+}
+
 class Assessor {
  public:
-  Assessor(const Model& model, const Picks& picks, const Context& context)
+  Assessor(const Model& model, const Picks& picks, Context& context)
       : model_(model),
         picks_(picks),
         context_(context),
@@ -121,15 +171,18 @@ class Assessor {
     for (const auto& [id, states] : chosen_) index_of(problem_, id);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
-    const Network strict = make_network(problem_, strict_limits());
+    context_.report(0.2, "Looking for sources and targets.");
+    const auto fixed = fixed_corners(problem_, picks_.types);
+    const Network strict = make_network(problem_, strict_limits(), fixed);
     if (auto found = try_with(strict, chosen_)) return *found;
     if (opposed_) return {{}, {*opposed_}};
-    const Network lenient = make_network(problem_, lenient_limits());
-    if (!chosen_.empty()) {
+    context_.report(0.5, "Looking for the reason.");
+    const Network lenient = make_network(problem_, lenient_limits(), fixed);
+    if (!chosen_.empty() || !fixed.empty())
       if (auto found = try_with(lenient, chosen_)) return *found;
-      return refuse_picks(strict, lenient);
-    }
-    if (auto found = try_radial(lenient)) return *found;
+    if (auto refused = refuse_types()) return *refused;
+    if (!chosen_.empty()) return refuse_picks(strict, lenient);
+    if (auto found = try_radial()) return *found;
     return refuse(lenient);
   }
 
@@ -143,18 +196,38 @@ class Assessor {
     }
     if (auto reason = keep_paired(network, picks_, result.divisions))
       return Assessment{{}, {*reason}};
-    return Assessment{ranked(model_, network, result.divisions), {}};
+    return Assessment{ranked(model_, network, result.divisions, chosen_), {}};
   }
 
-  /// Two closed shells and nothing between them: from the one to the other, whatever the angles
-  /// between the faces of a shell.
-  std::optional<Assessment> try_radial(const Network& lenient) {
+  /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to
+  /// the other.
+  std::optional<Assessment> try_radial() {
     std::vector<Pick> shells;
     for (const ProblemFace& face : problem_.faces) {
       if (face.shell > 1) return {};
       shells.emplace_back(face.id, face.shell == 0 ? kSourceStates : kTargetStates);
     }
-    return try_with(lenient, shells);
+    if (!is_convex_shell(problem_, 0) || !is_convex_shell(problem_, 1)) return {};
+    return try_with(make_network(problem_, radial_limits()), shells);
+  }
+
+  bool can_hold(const std::vector<TypePick>& types) {
+    const Network network =
+        make_network(problem_, lenient_limits(), fixed_corners(problem_, types));
+    return !search(network, chosen_, context_).divisions.empty();
+  }
+
+  /// Drops each type that is not needed for the contradiction. Empty where the types are not at
+  /// fault.
+  std::optional<Assessment> refuse_types() {
+    if (picks_.types.empty() || !can_hold({})) return {};
+    std::vector<TypePick> left = picks_.types;
+    for (std::size_t i = left.size(); i-- > 0;) {
+      std::vector<TypePick> without = left;
+      without.erase(without.begin() + i);
+      if (!can_hold(without)) left = without;
+    }
+    return Assessment{{}, {type_reason(left)}};
   }
 
   Assessment refuse(const Network& lenient) {
@@ -174,7 +247,7 @@ class Assessor {
 
   const Model& model_;
   const Picks& picks_;
-  const Context& context_;
+  Context& context_;
   SweepProblem problem_;
   std::vector<Pick> chosen_;
   bool is_strict_complete_ = false;  ///< some search proved that there is nothing

@@ -13,11 +13,12 @@ namespace sweepmesh {
 /// the cheapest (to_scheme.h says what is ranked before what), or the reasons why there is none. No
 /// mesh is made.
 ///
-/// Picked sources and targets keep their roles; other faces take any. Schemes whose caps are just
-/// the picked ones come first. Throws InputError for a picked face that is not of this solid,
-/// Cancelled. Never fails on an odd solid: what is not understood becomes a reason. The search is
-/// cut off after a fixed effort (about two seconds); that is a reason too where nothing was found
-/// by then. Source: thesis chapter 7.
+/// Picked sources and targets keep their roles; other faces take any. Where both were picked,
+/// schemes with no other caps come first. Picked vertex types hold where their face turns out to be
+/// a linking face. Throws InputError for a picked face that is not of this solid and for a vertex
+/// that is not of its face, Cancelled. Never fails on an odd solid: what is not understood becomes
+/// a reason. The search is cut off after a fixed effort (about two seconds); that is a reason too
+/// where nothing was found by then. Source: thesis chapter 7.
 Assessment assess(const Model& model, const Picks& picks, Context& context);
 
 /// The cheapest directions and types where the role of every face is given (indexed by FaceId), or

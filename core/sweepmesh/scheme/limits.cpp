@@ -40,4 +40,10 @@ AngleLimits lenient_limits() {
   return out;
 }
 
+AngleLimits radial_limits() {
+  AngleLimits out;
+  out.edge_deviation = 100 * kQuarterTurn / 90;
+  return out;
+}
+
 }  // namespace sweepmesh

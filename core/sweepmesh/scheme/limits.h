@@ -32,6 +32,9 @@ inline AngleLimits strict_limits() {
 }
 /// What is possible at all: where somebody has decided on sources and targets.
 AngleLimits lenient_limits();
+/// Between the two: what a radial sweep takes that nobody asked for. Right angles between the faces
+/// of a shell are halved by it.
+AngleLimits radial_limits();
 
 /// The limits at a place where the boundary bends outwards or does not.
 inline AngleLimits of_place(AngleLimits limits, bool is_rounded) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "sweepmesh/scheme/vertex_types.h"
+
 namespace sweepmesh {
 
 namespace {
@@ -199,6 +201,19 @@ Reason pick_reason(const Network& network, const std::vector<FaceId>& blamed,
               joined(faces_with(network, best.choices, kSourceStates)) + " as sources and " +
               joined(faces_with(network, best.choices, kTargetStates)) + " as targets.",
           entities};
+}
+
+Reason type_reason(const std::vector<TypePick>& blamed) {
+  Reason out{ReasonKind::prescribed, {}, {}};
+  std::string list;
+  for (const TypePick& pick : blamed) {
+    list += (list.empty() ? "" : ", ") + name_of(pick.vertex) + " of " + name_of(pick.face) +
+            " as " + name_of(pick.type);
+    out.entities.push_back(name_of(pick.vertex));
+    out.entities.push_back(name_of(pick.face));
+  }
+  out.text = "The solid can be swept, but not with " + list + ". Free one of these vertex types.";
+  return out;
 }
 
 }  // namespace sweepmesh

@@ -32,4 +32,7 @@ Reason angle_reason(const Network& network, const Division& division);
 /// the picks without each of which the others hold; `best` is what would be found with no picks.
 Reason pick_reason(const Network& network, const std::vector<FaceId>& blamed, const Division& best);
 
+/// Vertex types that cannot hold together, given that the solid can be swept without them.
+Reason type_reason(const std::vector<TypePick>& blamed);
+
 }  // namespace sweepmesh

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "sweepmesh/scheme/counts.h"
+
 namespace sweepmesh {
 
 namespace {
@@ -21,7 +23,7 @@ constexpr long kWorkPerCoedge = 30;
 
 class Search {
  public:
-  Search(const Network& n, const SearchOptions& options, const Context& context)
+  Search(const Network& n, const SearchOptions& options, Context& context)
       : n_(n), options_(options), context_(context), limit_(options.max_cost) {}
 
   SearchResult over_roles(Choices start) {
@@ -194,6 +196,7 @@ class Search {
     if (!has_both_ends(n_, choices)) return ++why.n_without_ends, false;
     if (!is_euler_balanced(n_, choices)) return ++why.n_unbalanced, false;
     if (!do_shells_agree(n_, choices)) return ++why.n_voids_askew, false;
+    if (!do_counts_exist(n_, choices, context_)) return ++why.n_without_counts, false;
     const auto walls = opposed_walls(n_, choices);
     if (!walls) return true;
     ++why.n_walls_opposed;
@@ -203,7 +206,7 @@ class Search {
 
   const Network& n_;
   const SearchOptions& options_;
-  const Context& context_;
+  Context& context_;
   double limit_;
   long effort_ = 0;
   SearchResult result_;
@@ -214,12 +217,12 @@ class Search {
 }  // namespace
 
 SearchResult search_divisions(const Network& network, const Choices& start,
-                              const SearchOptions& options, const Context& context) {
+                              const SearchOptions& options, Context& context) {
   return Search(network, options, context).over_roles(start);
 }
 
 SearchResult search_states(const Network& network, const Choices& start,
-                           const SearchOptions& options, const Context& context) {
+                           const SearchOptions& options, Context& context) {
   return Search(network, options, context).over_states(start);
 }
 

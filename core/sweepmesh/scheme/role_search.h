@@ -35,8 +35,9 @@ struct Rejections {
   int n_without_levels = 0;  ///< k would have to grow around a cycle (partial divisions count too)
   int n_without_ends =
       0;  ///< no source, no target, or a closed shell that is a cap where it cannot be
-  int n_unbalanced = 0;   ///< sources and targets are not homeomorphic (is_euler_balanced)
-  int n_voids_askew = 0;  ///< two shells disagree on the way up
+  int n_unbalanced = 0;      ///< sources and targets are not homeomorphic (is_euler_balanced)
+  int n_voids_askew = 0;     ///< two shells disagree on the way up
+  int n_without_counts = 0;  ///< no numbers of mesh edges fit (do_counts_exist)
   int n_walls_opposed = 0;
   std::optional<OpposedWalls> walls;  ///< the first pair of walls that run against each other
 };
@@ -57,10 +58,10 @@ struct SearchResult {
 /// cheapest states are kept. Exact within `max_cost` where `is_complete`. `start` has been narrowed
 /// by the caller (picks); it need not be propagated.
 SearchResult search_divisions(const Network& network, const Choices& start,
-                              const SearchOptions& options, const Context& context);
+                              const SearchOptions& options, Context& context);
 
 /// The cheapest states where every role is given; empty where there are none.
 SearchResult search_states(const Network& network, const Choices& start,
-                           const SearchOptions& options, const Context& context);
+                           const SearchOptions& options, Context& context);
 
 }  // namespace sweepmesh

@@ -73,10 +73,18 @@ struct Assessment {
   bool is_sweepable() const { return !schemes.empty(); }
 };
 
+/// A vertex type that the user wants on a linking face, wherever the face's loops pass the vertex.
+struct TypePick {
+  FaceId face;
+  VertexId vertex;
+  VertexType type = VertexType::side;
+};
+
 /// What the user said. Empty: to be found.
 struct Picks {
   std::vector<FaceId> sources, targets;
   std::vector<std::pair<FaceId, FaceId>> pairs;  ///< source, target
+  std::vector<TypePick> types = {};
 };
 
 }  // namespace sweepmesh

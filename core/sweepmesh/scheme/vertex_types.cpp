@@ -114,20 +114,6 @@ class TypeProgram {
   std::vector<Meaning> meaning_;           // by variable
 };
 
-const char* text_of(VertexType type) {
-  switch (type) {
-    case VertexType::end:
-      return "END";
-    case VertexType::side:
-      return "SIDE";
-    case VertexType::corner:
-      return "CORNER";
-    case VertexType::reversal:
-      return "REVERSAL";
-  }
-  return "";
-}
-
 bool is_feasible(const FaceCorners& corners, const TypeOptions& options,
                  const std::vector<FixedType>& fixed, Context& context) {
   return TypeProgram(corners, options, fixed).solve(context).has_value();
@@ -150,7 +136,7 @@ Reason conflict_reason(const FaceCorners& corners, const std::vector<FixedType>&
   std::string list;
   for (const FixedType& f : conflict) {
     const FaceCorner& corner = corners[f.loop][f.corner];
-    list += (list.empty() ? "" : ", ") + name_of(corner) + " as " + text_of(f.type);
+    list += (list.empty() ? "" : ", ") + name_of(corner) + " as " + name_of(f.type);
     out.entities.push_back(corner.vertex.is_valid() ? name_of(corner.vertex)
                                                     : name_of(corner.edge));
   }
@@ -180,6 +166,20 @@ void check(const FaceCorners& corners, const std::vector<FixedType>& fixed) {
 }
 
 }  // namespace
+
+const char* name_of(VertexType type) {
+  switch (type) {
+    case VertexType::end:
+      return "END";
+    case VertexType::side:
+      return "SIDE";
+    case VertexType::corner:
+      return "CORNER";
+    case VertexType::reversal:
+      return "REVERSAL";
+  }
+  return "";
+}
 
 std::string name_of(const FaceCorner& corner) {
   return corner.vertex.is_valid() ? name_of(corner.vertex)

@@ -26,6 +26,9 @@ struct FaceCorner {
 /// Loops of corners, the outer one first, each in the order of the loop.
 using FaceCorners = std::vector<std::vector<FaceCorner>>;
 
+/// "END" and so on.
+const char* name_of(VertexType type);
+
 /// "Vertex12", or "the middle of Edge7" of a virtual corner.
 std::string name_of(const FaceCorner& corner);
 

@@ -5,7 +5,9 @@
 namespace sweepmesh {
 namespace {
 
-bool bounds(const Coedge& c) { return c.edge.is_valid() && !c.seam; }
+bool bounds(const Coedge& c) {
+  return c.edge.is_valid() && !c.seam;
+}
 
 int other_use(const Loop& loop, int i) {
   for (int j = 0; j < static_cast<int>(loop.size()); ++j)

@@ -11,24 +11,14 @@
 namespace sweepmesh {
 namespace {
 
-using Affine = Eigen::Matrix<double, 2, 3>;
-
-Point2 apply(const Affine& a, const Point2& p) { return a.leftCols<2>() * p + a.col(2); }
-
-/// Least squares over the boundary nodes.
-Affine best_affine(const PlanarMesh& source, const std::vector<Point2>& boundary) {
-  Eigen::MatrixX3d left(source.n_boundary, 3);
-  Eigen::MatrixX2d right(source.n_boundary, 2);
-  for (int i = 0; i < source.n_boundary; ++i) {
-    left.row(i) << source.points[i].transpose(), 1.0;
-    right.row(i) = boundary[i].transpose();
-  }
-  return left.colPivHouseholderQr().solve(right).transpose();
+Point2 apply(const Affine& a, const Point2& p) {
+  return a.leftCols<2>() * p + a.col(2);
 }
 
 std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Point2>& boundary,
                                  const MapOptions& options) {
-  const Affine affine = best_affine(source, boundary);
+  const Affine affine =
+      best_affine({source.points.begin(), source.points.begin() + source.n_boundary}, boundary);
   std::vector<Point2> residual(boundary);
   for (int i = 0; i < source.n_boundary; ++i) residual[i] -= apply(affine, source.points[i]);
   std::vector<Point2> out = harmonic_extension(source, residual, options.source_metric);
@@ -38,8 +28,8 @@ std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Poi
 }
 
 /// Cells that are worse than `limit`.
-std::vector<int> cells_below(double limit, const PlanarMesh& mesh, const std::vector<Point2>& points,
-                             const Metric& metric) {
+std::vector<int> cells_below(double limit, const PlanarMesh& mesh,
+                             const std::vector<Point2>& points, const Metric& metric) {
   std::vector<int> out;
   for (int c = 0; c < mesh.n_cells(); ++c)
     if (scaled_jacobian(points, mesh.cell(c), metric) <= limit) out.push_back(c);
@@ -67,15 +57,18 @@ std::vector<char> neighbourhood(const PlanarMesh& mesh, const NodeCells& at_node
 
 /// The energy over the corners with a node that is free; the rest of the mesh stays.
 std::vector<Point2> relaxed(const PlanarMesh& mesh, const std::vector<Point2>& points,
-                            const std::vector<char>& is_free, const MapOptions& options,
-                            const Context& context) {
+                            const std::vector<char>& is_free, int max_iterations,
+                            const MapOptions& options, const Context& context) {
   std::vector<char> fixed(mesh.n_nodes());
   for (int i = 0; i < mesh.n_nodes(); ++i) fixed[i] = i < mesh.n_boundary || !is_free[i];
   std::vector<MapTriangle> corners = corners_like(mesh, mesh.points, options.source_metric);
   std::erase_if(corners, [&](const MapTriangle& t) {
     return std::all_of(t.node.begin(), t.node.end(), [&](int node) { return fixed[node]; });
   });
-  return minimise_foldover(points, fixed, corners, options.target_metric, {}, context).points;
+  FoldoverOptions foldover;
+  foldover.tolerance = 1e-3;
+  foldover.max_iterations = max_iterations;
+  return minimise_foldover(points, fixed, corners, options.target_metric, foldover, context).points;
 }
 
 bool is_better(const PlanarQuality& a, const PlanarQuality& b) {
@@ -90,12 +83,14 @@ class Improver {
   void run(PlanarMap& map) const {
     std::vector<int> poor = cells_below(options_.poor, mesh_, map.points, options_.target_metric);
     if (poor.empty()) return;
-    for (int rings = std::max(1, options_.rings);; rings *= 2) {
+    constexpr int steps_of_part = 20, steps_of_whole = 100;
+    for (int rings = std::max(1, options_.rings);; rings *= 4) {
       const auto is_free = neighbourhood(mesh_, at_nodes_, poor, rings);
-      auto points = relaxed(mesh_, map.points, is_free, options_, context_);
+      const bool is_whole = std::all_of(is_free.begin(), is_free.end(), [](char f) { return f; });
+      auto points = relaxed(mesh_, map.points, is_free, is_whole ? steps_of_whole : steps_of_part,
+                            options_, context_);
       const PlanarQuality q = quality(points, mesh_, options_.target_metric);
       if (is_better(q, map.final)) map.points = std::move(points), map.final = q;
-      const bool is_whole = std::all_of(is_free.begin(), is_free.end(), [](char f) { return f; });
       if (map.final.n_inverted == 0 || is_whole) return;
     }
   }
@@ -108,6 +103,16 @@ class Improver {
 };
 
 }  // namespace
+
+Affine best_affine(const std::vector<Point2>& from, const std::vector<Point2>& to) {
+  Eigen::MatrixX3d left(from.size(), 3);
+  Eigen::MatrixX2d right(from.size(), 2);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    left.row(i) << from[i].transpose(), 1.0;
+    right.row(i) = to[i].transpose();
+  }
+  return left.colPivHouseholderQr().solve(right).transpose();
+}
 
 PlanarMap map_planar(const PlanarMesh& source, const std::vector<Point2>& boundary,
                      const MapOptions& options, const Context& context) {

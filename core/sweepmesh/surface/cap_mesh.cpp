@@ -18,7 +18,9 @@ namespace {
 /// Facets are a little finer than the elements, so that these see the surface bend.
 constexpr double facet_share = 0.75;
 
-Point2 mirrored(const Point2& p) { return {-p.x(), p.y()}; }
+Point2 mirrored(const Point2& p) {
+  return {-p.x(), p.y()};
+}
 
 /// The chart's metric, which keeps the chart alive; mirrored if wished.
 Metric shared_metric(const std::shared_ptr<const Chart>& chart, bool is_mirrored) {
@@ -81,7 +83,8 @@ void take_boundary(const std::vector<CapNode>& nodes, CapMesh& cap) {
   }
 }
 
-/// The target's loops for the source's: seen from outside those of an opposite face run the other way.
+/// The target's loops for the source's: seen from outside those of an opposite face run the other
+/// way.
 CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary, Facing facing) {
   CapLoops loops;
   auto first = boundary.begin();
@@ -95,8 +98,8 @@ CapLoops loops_like(const CapMesh& source, const std::vector<CapNode>& boundary,
   return loops;
 }
 
-/// The chart points of the target's boundary, in the order of the source's loops and nodes; mirrored for an
-/// opposite face.
+/// The chart points of the target's boundary, in the order of the source's loops and nodes;
+/// mirrored for an opposite face.
 PlanarLoops loops_in_chart(const Chart& chart, Facing facing) {
   PlanarLoops out(chart.order().size());
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -110,12 +113,14 @@ PlanarLoops loops_in_chart(const Chart& chart, Facing facing) {
   return out;
 }
 
-std::shared_ptr<const Chart> make_chart(const Model& model, FaceId face, const CapLoops& loops, double size,
-                                        std::optional<int> outer, const Context& context) {
+std::shared_ptr<const Chart> make_chart(const Model& model, FaceId face, const CapLoops& loops,
+                                        double size, std::optional<int> outer,
+                                        const Context& context) {
   return std::make_shared<const Chart>(model, face, loops, facet_share * size, context, outer);
 }
 
-CapMesh empty_source(FaceId face, const std::shared_ptr<const Chart>& chart, const CapLoops& boundary) {
+CapMesh empty_source(FaceId face, const std::shared_ptr<const Chart>& chart,
+                     const CapLoops& boundary) {
   CapMesh cap;
   cap.face = face;
   cap.metric = shared_metric(chart, false);
@@ -174,8 +179,8 @@ PlanarQuality quality_in_space(const Model& model, const CapMesh& cap) {
   return q;
 }
 
-CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, double size, CellKind kind,
-                 const Context& context) {
+CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, double size,
+                 CellKind kind, const Context& context) {
   return naming({name_of(face)}, [&] {
     const auto chart = make_chart(model, face, boundary, size, {}, context);
     CapMesh cap = empty_source(face, chart, boundary);
@@ -192,7 +197,8 @@ CapMesh map_cap(const Model& model, const CapMesh& source, FaceId target,
   if (source.face.is_valid()) names.insert(names.begin(), name_of(source.face));
   return naming(names, [&] {
     if (boundary.size() != source.boundary.size())
-      throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
+      throw InputError("surface",
+                       "Source and target cap have different numbers of boundary nodes.");
     const auto chart =
         make_chart(model, target, loops_like(source, boundary, facing), size, 0, context);
     check_outer_loop(*chart);
@@ -202,7 +208,8 @@ CapMesh map_cap(const Model& model, const CapMesh& source, FaceId target,
     options.target_metric = cap.metric;
     cap.plane = source.plane;
     cap.plane.points =
-        map_planar(source.plane, flattened(loops_in_chart(*chart, facing)), options, context).points;
+        map_planar(source.plane, flattened(loops_in_chart(*chart, facing)), options, context)
+            .points;
     place_inside(model, *chart, cap);
     return cap;
   });
@@ -218,13 +225,15 @@ CapPair mesh_cap_pair(const Model& model, FaceId source, const CapLoops& boundar
     for (const int loop : chart->order())
       there.insert(there.end(), partner.at(loop).begin(), partner.at(loop).end());
     if (there.size() != pair.source.boundary.size())
-      throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
-    const auto far_chart =
-        make_chart(model, target, loops_like(pair.source, there, Facing::opposite), size, 0, context);
+      throw InputError("surface",
+                       "Source and target cap have different numbers of boundary nodes.");
+    const auto far_chart = make_chart(
+        model, target, loops_like(pair.source, there, Facing::opposite), size, 0, context);
     check_outer_loop(*far_chart);
     pair.target = empty_target(target, far_chart, pair.source, there, Facing::opposite);
-    PlanarPair plane = mesh_planar_pair(chart->loops(), loops_in_chart(*far_chart, Facing::opposite),
-                                        options_for(pair.source, size, kind), pair.target.metric, context);
+    PlanarPair plane =
+        mesh_planar_pair(chart->loops(), loops_in_chart(*far_chart, Facing::opposite),
+                         options_for(pair.source, size, kind), pair.target.metric, context);
     pair.target.plane = pair.source.plane = std::move(plane.first);
     pair.target.plane.points = std::move(plane.second);
     place_inside(model, *chart, pair.source);

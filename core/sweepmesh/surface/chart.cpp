@@ -38,8 +38,9 @@ std::set<Edge> boundary_edges(const std::vector<std::vector<int>>& loops) {
 }
 
 /// Inside edges longer than `size`, longest first, no two of one triangle.
-std::vector<Edge> edges_to_split(const std::vector<Triangle>& triangles, const std::set<Edge>& boundary,
-                                 const std::vector<Point3>& space, double size) {
+std::vector<Edge> edges_to_split(const std::vector<Triangle>& triangles,
+                                 const std::set<Edge>& boundary, const std::vector<Point3>& space,
+                                 double size) {
   struct Candidate {
     double length;
     Edge edge;
@@ -83,8 +84,8 @@ Eigen::Matrix2d edges_of(const std::vector<Point2>& p, const Triangle& t) {
 
 }  // namespace
 
-Chart::Chart(const Model& model, FaceId face, const CapLoops& loops, double size, const Context& context,
-             std::optional<int> outer)
+Chart::Chart(const Model& model, FaceId face, const CapLoops& loops, double size,
+             const Context& context, std::optional<int> outer)
     : model_(&model), face_(face), plane_(model, face, loops, outer), loops_(plane_.loops()) {
   if (!(size > 0.0)) throw InputError("surface", "The element size of a cap must be positive.");
   sort_loops();
@@ -199,7 +200,8 @@ Eigen::Vector3d Chart::barycentric(int facet, const Point2& p) const {
   return {1.0 - share.sum(), share.x(), share.y()};
 }
 
-/// The facet in which the least barycentric coordinate is largest, from the grid cells around the point.
+/// The facet in which the least barycentric coordinate is largest, from the grid cells around the
+/// point.
 int Chart::facet_at(const Point2& p, Eigen::Vector3d& coordinates) const {
   const Point2 at = (p - low_) / cell_;
   const Eigen::Vector2i centre =
@@ -207,8 +209,10 @@ int Chart::facet_at(const Point2& p, Eigen::Vector3d& coordinates) const {
   int best = -1;
   double best_value = -std::numeric_limits<double>::infinity();
   for (int reach = 0; reach <= counts_.maxCoeff(); ++reach) {
-    for (int j = std::max(0, centre.y() - reach); j <= std::min(counts_.y() - 1, centre.y() + reach); ++j)
-      for (int i = std::max(0, centre.x() - reach); i <= std::min(counts_.x() - 1, centre.x() + reach); ++i)
+    for (int j = std::max(0, centre.y() - reach);
+         j <= std::min(counts_.y() - 1, centre.y() + reach); ++j)
+      for (int i = std::max(0, centre.x() - reach);
+           i <= std::min(counts_.x() - 1, centre.x() + reach); ++i)
         for (const int f : facets_in_cell_[j * counts_.x() + i]) {
           const Eigen::Vector3d b = barycentric(f, p);
           if (b.minCoeff() > best_value) best = f, best_value = b.minCoeff(), coordinates = b;

@@ -1,11 +1,12 @@
-// A one-to-one chart of a cap in the plane, with little distortion: where caps are meshed and mapped.
+// A one-to-one chart of a cap in the plane, with little distortion: where caps are meshed and
+// mapped.
 //
 // A planar face is its own chart. Any other face is divided into facets in its parameter plane
-// (parameter_plane.h), no larger than the elements, with the boundary's mesh edges as the facets' boundary;
-// the facets are flattened by the symmetric Dirichlet energy (each facet tries to keep angles and areas
-// alike, no facet can turn over), from the parameter plane's own layout, which is valid. A chart point has
-// barycentric coordinates in its facet, these give a parameter point, and that is evaluated on the CAD surface:
-// nodes lie on it exactly, whatever the facets' size.
+// (parameter_plane.h), no larger than the elements, with the boundary's mesh edges as the facets'
+// boundary; the facets are flattened by the symmetric Dirichlet energy (each facet tries to keep
+// angles and areas alike, no facet can turn over), from the parameter plane's own layout, which is
+// valid. A chart point has barycentric coordinates in its facet, these give a parameter point, and
+// that is evaluated on the CAD surface: nodes lie on it exactly, whatever the facets' size.
 //
 // Source: thesis section 3.5 (facets between surface and domain); J. Smith, S. Schaefer, Bijective
 // parameterization with free boundaries, ACM Trans. Graph. 34 (2015) (the energy).
@@ -25,22 +26,23 @@ namespace sweepmesh {
 
 class Chart {
  public:
-  /// `size`: length of facet edges, > 0 (longer where more than some 20 thousand facets would result). The
-  /// model must outlive the chart. Throws InputError (loops that touch or cross, a face that closes on itself).
-  /// `outer`: the loop that is wished to be the outer one, where there is a choice (a band).
+  /// `size`: length of facet edges, > 0 (longer where more than some 20 thousand facets would
+  /// result). The model must outlive the chart. Throws InputError (loops that touch or cross, a
+  /// face that closes on itself). `outer`: the loop that is wished to be the outer one, where there
+  /// is a choice (a band).
   Chart(const Model& model, FaceId face, const CapLoops& loops, double size, const Context& context,
         std::optional<int> outer = {});
 
-  /// The boundary nodes in the chart, counterclockwise around the domain; the outer loop first, the others in the
-  /// caller's order. `order()[i]` is the caller's index of loop i.
+  /// The boundary nodes in the chart, counterclockwise around the domain; the outer loop first, the
+  /// others in the caller's order. `order()[i]` is the caller's index of loop i.
   const PlanarLoops& loops() const { return loops_; }
   const std::vector<int>& order() const { return order_; }
 
   /// Of a chart point inside the loops (one just outside counts as on the nearest facet).
   Point2 uv(const Point2& p) const;
   Point3 point(const Point2& p) const;
-  /// Lengths on the surface, facet by facet; the identity, as an empty function, for a planar face. Refers to
-  /// the chart, which must outlive it.
+  /// Lengths on the surface, facet by facet; the identity, as an empty function, for a planar face.
+  /// Refers to the chart, which must outlive it.
   Metric metric() const;
 
  private:

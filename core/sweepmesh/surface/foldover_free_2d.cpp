@@ -1,6 +1,5 @@
 #include "sweepmesh/surface/foldover_free_2d.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -15,15 +14,19 @@ using Matrix4 = Eigen::Matrix4d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Share of the worst negative determinant that eps takes, and its floor (determinants are scaled to 1).
+/// Share of the worst negative determinant that eps takes first, and its floor (determinants are
+/// scaled to 1).
 constexpr double eps_share = 0.2;
 constexpr double eps_floor = 1e-8;
+/// Least part by which chi of the worst determinant falls from step to step.
+constexpr double least_fall = 0.1;
+constexpr int max_stalled_steps = 12;
 constexpr int max_halvings = 40;
 constexpr double sufficient_decrease = 1e-4;
 
-/// The energy of one triangle as a function of its Jacobian's four entries (row by row).
+/// The energy of one triangle as a function of its Jacobian's four entries (row by row); the
+/// Hessian is projected to positive semidefinite.
 struct Density {
-  double value = 0.0;
   Vector4 gradient = Vector4::Zero();
   Matrix4 hessian = Matrix4::Zero();
 };
@@ -39,34 +42,62 @@ double density_value(const Eigen::Matrix2d& j, double share, double eps) {
   return 0.5 * ((1.0 - share) * j.squaredNorm() + share * (1.0 + d * d)) / chi(eps, d);
 }
 
-Density density(const Eigen::Matrix2d& j, double share, double eps) {
-  const double d = j.determinant();
+/// Derivatives of the density P(n, d) by the squared norm and the determinant; it is linear in n.
+struct Derivatives {
+  double n, d, nd, dd;
+};
+
+Derivatives derivatives(double n, double d, double share, double eps) {
   const double s = std::sqrt(eps * eps + d * d);
   const double x = chi(eps, d), x1 = x / s, x2 = 0.5 * eps * eps / (s * s * s);
-  const double h = 0.5 * ((1.0 - share) * j.squaredNorm() + share * (1.0 + d * d));
-  const Vector4 a(j(0, 0), j(0, 1), j(1, 0), j(1, 1));
-  const Vector4 c(j(1, 1), -j(1, 0), -j(0, 1), j(0, 0));  // derivative of the determinant
-  const double in_norm = 0.5 * (1.0 - share) / x;
-  const double in_det = share * d / x - h * x1 / (x * x);
-  const double mixed = -0.5 * (1.0 - share) * x1 / (x * x);
-  const double in_det2 = share / x - 2.0 * share * d * x1 / (x * x) -
-                         h * (x2 / (x * x) - 2.0 * x1 * x1 / (x * x * x));
-  Density e;
-  e.value = h / x;
-  e.gradient = 2.0 * in_norm * a + in_det * c;
-  e.hessian = 2.0 * in_norm * Matrix4::Identity() + in_det2 * c * c.transpose() +
-              2.0 * mixed * (a * c.transpose() + c * a.transpose());
-  e.hessian(0, 3) += in_det, e.hessian(3, 0) += in_det;
-  e.hessian(1, 2) -= in_det, e.hessian(2, 1) -= in_det;
-  return e;
+  const double h = 0.5 * ((1.0 - share) * n + share * (1.0 + d * d));
+  return {0.5 * (1.0 - share) / x, share * d / x - h * x1 / (x * x),
+          -0.5 * (1.0 - share) * x1 / (x * x),
+          share / x - 2.0 * share * d * x1 / (x * x) -
+              h * (x2 / (x * x) - 2.0 * x1 * x1 / (x * x * x))};
 }
 
-Matrix4 positive_part(const Matrix4& m) {
-  const Eigen::LLT<Matrix4> cholesky(m);
-  if (cholesky.info() == Eigen::Success) return m;
-  const Eigen::SelfAdjointEigenSolver<Matrix4> eigen(m);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-         eigen.eigenvectors().transpose();
+Eigen::Matrix2d rotation(double angle) {
+  return Eigen::Rotation2Dd(angle).toRotationMatrix();
+}
+
+Vector4 row_by_row(const Eigen::Matrix2d& m) {
+  return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
+}
+
+/// Adds the positive part of the symmetric [[a, b], [b, c]] in the space of two orthonormal
+/// vectors.
+void add_positive(double a, double b, double c, const Vector4& p, const Vector4& q, Matrix4& out) {
+  const double mean = 0.5 * (a + c), radius = std::hypot(0.5 * (a - c), b);
+  const double angle = 0.5 * std::atan2(2.0 * b, a - c);
+  const Vector4 high = std::cos(angle) * p + std::sin(angle) * q;
+  const Vector4 low = std::cos(angle) * q - std::sin(angle) * p;
+  out += std::max(0.0, mean + radius) * high * high.transpose() +
+         std::max(0.0, mean - radius) * low * low.transpose();
+}
+
+/// In the frame of the signed singular values the Hessian falls apart into a twist, a flip and a 2
+/// x 2 block.
+Density density(const Eigen::Matrix2d& j, double share, double eps) {
+  const double e = 0.5 * (j(0, 0) + j(1, 1)), f = 0.5 * (j(0, 0) - j(1, 1));
+  const double g = 0.5 * (j(1, 0) + j(0, 1)), h = 0.5 * (j(1, 0) - j(0, 1));
+  const double s = std::hypot(e, h) + std::hypot(f, g), t = std::hypot(e, h) - std::hypot(f, g);
+  const double left = std::atan2(h, e), right = std::atan2(g, f);
+  const Eigen::Matrix2d u = rotation(0.5 * (left + right)), v = rotation(0.5 * (left - right));
+  const Derivatives p = derivatives(s * s + t * t, s * t, share, eps);
+  Density out;
+  out.gradient = 2.0 * p.n * row_by_row(j) + p.d * Vector4(j(1, 1), -j(1, 0), -j(0, 1), j(0, 0));
+  const Vector4 twist =
+      std::sqrt(0.5) * row_by_row(u * (Eigen::Matrix2d() << 0, -1, 1, 0).finished() * v);
+  const Vector4 flip =
+      std::sqrt(0.5) * row_by_row(u * (Eigen::Matrix2d() << 0, 1, 1, 0).finished() * v);
+  out.hessian = std::max(0.0, 2.0 * p.n + p.d) * twist * twist.transpose() +
+                std::max(0.0, 2.0 * p.n - p.d) * flip * flip.transpose();
+  add_positive(2.0 * p.n + 4.0 * s * t * p.nd + t * t * p.dd,
+               p.d + 2.0 * (s * s + t * t) * p.nd + s * t * p.dd,
+               2.0 * p.n + 4.0 * s * t * p.nd + s * s * p.dd, row_by_row(u.col(0) * v.row(0)),
+               row_by_row(u.col(1) * v.row(1)), out.hessian);
+  return out;
 }
 
 class Minimiser {
@@ -74,7 +105,11 @@ class Minimiser {
   Minimiser(const std::vector<Point2>& points, const std::vector<char>& fixed,
             const std::vector<MapTriangle>& triangles, const Metric& metric,
             const FoldoverOptions& options, const Context& context)
-      : points_(points), triangles_(triangles), metric_(metric), options_(options), context_(context) {
+      : points_(points),
+        triangles_(triangles),
+        metric_(metric),
+        options_(options),
+        context_(context) {
     number_unknowns(fixed);
     update_metric();
   }
@@ -82,18 +117,20 @@ class Minimiser {
   FoldoverResult run() {
     FoldoverResult result;
     double worst = worst_determinant(points_);
-    double last_energy = std::numeric_limits<double>::infinity();
+    double eps = worst > 0.0 ? eps_floor : eps_floor - eps_share * worst;
+    int n_stalled = 0;
     while (result.iterations < options_.max_iterations && n_unknowns_ > 0) {
       context_.check("surface");
-      const double eps = worst > 0.0 ? eps_floor : eps_floor - eps_share * worst;
+      const bool was_valid = worst > 0.0;
       const double before = energy(points_, eps);
-      const double after = step(eps, before, worst > 0.0);
+      const double after = step(eps, before, was_valid);
       ++result.iterations;
       worst = worst_determinant(points_);
       const bool has_settled = before - after <= options_.tolerance * before;
-      if (worst > 0.0 && has_settled) break;
-      if (worst <= 0.0 && has_settled && before >= last_energy * (1.0 - options_.tolerance)) break;
-      last_energy = has_settled ? before : std::numeric_limits<double>::infinity();
+      n_stalled = has_settled ? n_stalled + 1 : 0;
+      if (has_settled && was_valid) break;
+      if (n_stalled > max_stalled_steps) break;
+      eps = next_eps(eps, worst, 1.0 - after / before);
       update_metric();
       worst = worst_determinant(points_);
     }
@@ -110,6 +147,14 @@ class Minimiser {
     unknown_.assign(points_.size(), -1);
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (is_used[i] && !fixed[i]) unknown_[i] = n_unknowns_++;
+  }
+
+  /// Garanzha et al., eq. 8: chi of the worst determinant falls by the part by which the energy
+  /// fell.
+  double next_eps(double eps, double worst, double fall) const {
+    const double wished = (1.0 - std::max(fall, least_fall)) * chi(eps, worst);
+    if (worst >= wished) return eps_floor;
+    return std::max(eps_floor, 2.0 * std::sqrt(wished * (wished - worst)));
   }
 
   void update_metric() {
@@ -156,50 +201,72 @@ class Minimiser {
     return out;
   }
 
-  void assemble(double eps, std::vector<Eigen::Triplet<double>>& entries, Eigen::VectorXd& gradient) const {
+  /// Row of the Hessian for entry a (0..5) of a triangle's own; negative where the node is fixed.
+  int row_of(std::size_t t, int a) const {
+    const int unknown = unknown_[triangles_[t].node[a / 2]];
+    return unknown < 0 ? -1 : 2 * unknown + a % 2;
+  }
+
+  /// Builds the Hessian's pattern (lower half) and where each triangle's entries are in it.
+  void make_pattern() {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (int a = 0; a < 6; ++a)
+        for (int b = 0; b <= a; ++b) {
+          const int i = row_of(t, a), j = row_of(t, b);
+          if (i >= 0 && j >= 0) entries.emplace_back(std::max(i, j), std::min(i, j), 0.0);
+        }
+    hessian_.resize(2 * n_unknowns_, 2 * n_unknowns_);
+    hessian_.setFromTriplets(entries.begin(), entries.end());
+    const int* outer = hessian_.outerIndexPtr();
+    const int* inner = hessian_.innerIndexPtr();
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (int a = 0; a < 6; ++a)
+        for (int b = 0; b <= a; ++b) {
+          const int i = row_of(t, a), j = row_of(t, b);
+          const int column = std::min(i, j);
+          slots_.push_back(column < 0 ? -1
+                                      : static_cast<int>(std::lower_bound(inner + outer[column],
+                                                                          inner + outer[column + 1],
+                                                                          std::max(i, j)) -
+                                                         inner));
+        }
+    solver_.analyzePattern(hessian_);
+  }
+
+  void assemble(double eps, Eigen::VectorXd& gradient) {
+    if (slots_.empty()) make_pattern();
+    double* values = hessian_.valuePtr();
+    std::fill_n(values, hessian_.nonZeros(), 0.0);
+    std::size_t slot = 0;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       const Density e = density(jacobian(points_, t), options_.area_share, eps);
       const Eigen::Matrix<double, 4, 6> b = jacobian_derivative(t);
-      const double w = triangles_[t].weight;
-      const Vector6 g = w * b.transpose() * e.gradient;
-      const Matrix6 h = w * b.transpose() * positive_part(e.hessian) * b;
-      scatter(triangles_[t].node, g, h, entries, gradient);
-    }
-  }
-
-  void scatter(const std::array<int, 3>& nodes, const Vector6& g, const Matrix6& h,
-               std::vector<Eigen::Triplet<double>>& entries, Eigen::VectorXd& gradient) const {
-    for (int a = 0; a < 6; ++a) {
-      const int row = unknown_[nodes[a / 2]];
-      if (row < 0) continue;
-      gradient[2 * row + a % 2] += g[a];
-      for (int b = 0; b < 6; ++b) {
-        const int column = unknown_[nodes[b / 2]];
-        if (column >= 0 && 2 * row + a % 2 >= 2 * column + b % 2)
-          entries.emplace_back(2 * row + a % 2, 2 * column + b % 2, h(a, b));
+      const Vector6 g = triangles_[t].weight * b.transpose() * e.gradient;
+      const Matrix6 h = triangles_[t].weight * b.transpose() * e.hessian * b;
+      for (int i = 0; i < 6; ++i) {
+        if (const int row = row_of(t, i); row >= 0) gradient[row] += g[i];
+        for (int j = 0; j <= i; ++j, ++slot)
+          if (slots_[slot] >= 0) values[slots_[slot]] += h(i, j);
       }
     }
   }
 
-  Eigen::VectorXd direction(const std::vector<Eigen::Triplet<double>>& entries,
-                            const Eigen::VectorXd& gradient) {
-    Eigen::SparseMatrix<double> h(2 * n_unknowns_, 2 * n_unknowns_);
-    h.setFromTriplets(entries.begin(), entries.end());
-    const double shift = std::sqrt(std::numeric_limits<double>::epsilon()) * h.diagonal().mean();
-    for (int i = 0; i < h.rows(); ++i) h.coeffRef(i, i) += shift;
-    if (!is_analysed_) solver_.analyzePattern(h);
-    is_analysed_ = true;
-    solver_.factorize(h);
-    if (solver_.info() != Eigen::Success) return -gradient / h.diagonal().maxCoeff();
+  Eigen::VectorXd direction(const Eigen::VectorXd& gradient) {
+    const double shift =
+        std::sqrt(std::numeric_limits<double>::epsilon()) * hessian_.diagonal().mean();
+    for (int i = 0; i < hessian_.cols(); ++i)  // the diagonal comes first in each lower column
+      hessian_.valuePtr()[hessian_.outerIndexPtr()[i]] += shift;
+    solver_.factorize(hessian_);
+    if (solver_.info() != Eigen::Success) return -gradient / hessian_.diagonal().maxCoeff();
     return -solver_.solve(gradient);
   }
 
   /// One Newton step with a backtracking line search; gives the energy afterwards.
   double step(double eps, double before, bool must_stay_valid) {
-    std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * n_unknowns_);
-    assemble(eps, entries, gradient);
-    const Eigen::VectorXd d = direction(entries, gradient);
+    assemble(eps, gradient);
+    const Eigen::VectorXd d = direction(gradient);
     const double slope = gradient.dot(d);
     double length = 1.0;
     for (int i = 0; i < max_halvings; ++i, length *= 0.5) {
@@ -228,8 +295,9 @@ class Minimiser {
   std::vector<int> unknown_;
   int n_unknowns_ = 0;
   std::vector<Eigen::Matrix2d> roots_;
+  Eigen::SparseMatrix<double> hessian_;  ///< lower half
+  std::vector<int> slots_;               ///< per triangle 21: where its entries go, -1 for none
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-  bool is_analysed_ = false;
 };
 
 /// Edges that leave the corner of a regular polygon, as columns.

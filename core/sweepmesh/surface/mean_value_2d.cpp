@@ -75,7 +75,8 @@ std::vector<Point2> harmonic_extension(const PlanarMesh& mesh, const std::vector
   matrix.setFromTriplets(entries.begin(), entries.end());
   Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
   if (solver.info() != Eigen::Success)
-    throw SolverError("surface", "The harmonic map of a cap has no solution: its mesh is not connected.");
+    throw SolverError("surface",
+                      "The harmonic map of a cap has no solution: its mesh is not connected.");
   const Eigen::MatrixX2d inside = solver.solve(right);
   for (int i = 0; i < n_free; ++i) out.emplace_back(inside.row(i).transpose());
   return out;

@@ -14,9 +14,10 @@ namespace {
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
 [[noreturn]] void refuse(FaceId face) {
-  throw InputError("surface",
-                   name_of(face) + " closes on itself in a way that cannot be meshed as a cap; split it.",
-                   {name_of(face)});
+  throw InputError(
+      "surface",
+      name_of(face) + " closes on itself in a way that cannot be meshed as a cap; split it.",
+      {name_of(face)});
 }
 
 /// Periods of the parameters: the surface's, or what lies between the two sides of a seam.
@@ -156,11 +157,12 @@ bool ParameterPlane::find_axis(const CapLoops& loops, std::optional<int> outer) 
   return true;
 }
 
-/// A band's circumference at the centre's side becomes that of the inner circle. The loop that has the domain
-/// on its left when it turns by +1 is the one at the low end of `across`.
+/// A band's circumference at the centre's side becomes that of the inner circle. The loop that has
+/// the domain on its left when it turns by +1 is the one at the low end of `across`.
 void ParameterPlane::lay_centre_of_band(bool is_at_high) {
   const auto [low, high] = model_->uv_bounds(face_);
-  const double low_end = turned(along_v_ ? high : low).y(), high_end = turned(along_v_ ? low : high).y();
+  const double low_end = turned(along_v_ ? high : low).y(),
+               high_end = turned(along_v_ ? low : high).y();
   const double end = is_at_high ? high_end : low_end;
   const int axis = along_v_ ? 0 : 1;
   const double around = line_length(*model_, face_, axis, along_v_ ? -end : end);

@@ -2,11 +2,11 @@
 //
 //   planar face         orthonormal coordinates in its plane
 //   no turn around      (u,v), scaled by the mean lengths of the two derivatives
-//   closed around, or   polar: the angle is the parameter that closes, the radius the other one, measured
-//   with a pole         from the pole (a dome) or from beyond the inner loop (a band)
+//   closed around, or   polar: the angle is the parameter that closes, the radius the other one,
+//   measured with a pole         from the pole (a dome) or from beyond the inner loop (a band)
 //
-// In polar form a seam is an ordinary ray and a pole the ordinary point 0, so nothing has to be cut or sewn.
-// Counterclockwise in the plane is counterclockwise seen from outside the solid.
+// In polar form a seam is an ordinary ray and a pole the ordinary point 0, so nothing has to be cut
+// or sewn. Counterclockwise in the plane is counterclockwise seen from outside the solid.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,11 @@ namespace sweepmesh {
 
 class ParameterPlane {
  public:
-  /// Throws InputError naming the face for domains that have no such plane (a torus' whole tube, a sphere with
-  /// a single hole off its poles, loops that wind around both ways).
-  /// `outer`: of a band's two loops the one that is to be the outer one.
-  ParameterPlane(const Model& model, FaceId face, const CapLoops& loops, std::optional<int> outer = {});
+  /// Throws InputError naming the face for domains that have no such plane (a torus' whole tube, a
+  /// sphere with a single hole off its poles, loops that wind around both ways). `outer`: of a
+  /// band's two loops the one that is to be the outer one.
+  ParameterPlane(const Model& model, FaceId face, const CapLoops& loops,
+                 std::optional<int> outer = {});
 
   /// The loops in the plane, in the order of the caller's.
   const PlanarLoops& loops() const { return loops_; }
@@ -51,7 +52,8 @@ class ParameterPlane {
   Point2 periods_ = Point2::Zero();
   Point3 origin_ = Point3::Zero();
   Eigen::Matrix<double, 3, 2> axes_ = Eigen::Matrix<double, 3, 2>::Zero();
-  Point2 scale_ = Point2::Ones();  ///< scaled: per parameter; polar: angle per `along`, length per `across`
+  Point2 scale_ =
+      Point2::Ones();  ///< scaled: per parameter; polar: angle per `along`, length per `across`
   bool along_v_ = false;
   double across_of_centre_ = 0.0;  ///< polar: value of `across` at radius 0
 };

@@ -9,12 +9,12 @@
 
 namespace sweepmesh {
 
-/// Closed polylines without the closing point. Loop 0 is the outer one, counterclockwise; the others are
-/// holes, clockwise: the domain lies on the left of each.
+/// Closed polylines without the closing point. Loop 0 is the outer one, counterclockwise; the
+/// others are holes, clockwise: the domain lies on the left of each.
 using PlanarLoops = std::vector<std::vector<Point2>>;
 
-/// Cells are counterclockwise polygons in compressed rows. The first `n_boundary` nodes are those of the
-/// loops that the mesh was made for, loop after loop, in their order; the others are inside.
+/// Cells are counterclockwise polygons in compressed rows. The first `n_boundary` nodes are those
+/// of the loops that the mesh was made for, loop after loop, in their order; the others are inside.
 struct PlanarMesh {
   std::vector<Point2> points;
   int n_boundary = 0;
@@ -32,8 +32,8 @@ struct PlanarMesh {
   }
 };
 
-/// What a plane point's neighbourhood looks like on the surface it stands for: a matrix S such that a small
-/// chart vector d has the length |S d| there. Empty function: the plane itself.
+/// What a plane point's neighbourhood looks like on the surface it stands for: a matrix S such that
+/// a small chart vector d has the length |S d| there. Empty function: the plane itself.
 using Metric = std::function<Eigen::Matrix2d(const Point2&)>;
 
 /// The loops' points in one row, as PlanarMesh keeps them.
@@ -42,10 +42,10 @@ std::vector<Point2> flattened(const PlanarLoops& loops);
 /// Signed area of a closed polyline, positive when counterclockwise.
 double signed_area(std::span<const Point2> loop);
 
-/// Scaled Jacobian of a cell: the least, over its corners, of the cross product of the two normalised edges
-/// that leave the corner, divided by its value in the regular polygon (so a square and an equilateral
-/// triangle have 1). Negative where the cell is inverted at a corner. With a metric, lengths and angles are
-/// those on the surface, at the cell's centre.
+/// Scaled Jacobian of a cell: the least, over its corners, of the cross product of the two
+/// normalised edges that leave the corner, divided by its value in the regular polygon (so a square
+/// and an equilateral triangle have 1). Negative where the cell is inverted at a corner. With a
+/// metric, lengths and angles are those on the surface, at the cell's centre.
 double scaled_jacobian(std::span<const Point2> points, std::span<const int> cell,
                        const Metric& metric = {});
 

@@ -19,6 +19,7 @@ constexpr double good_enough = 0.55;
 constexpr double poor = 0.2;
 /// Cells below this are raised at the cost of others.
 constexpr double worth_raising = 0.7;
+constexpr int rounds_to_compare = 2, rounds_to_finish = 6;
 
 using Complex = std::complex<double>;
 
@@ -28,8 +29,12 @@ struct Similarity {
   Complex operator()(Complex p) const { return to + factor * (p - from); }
 };
 
-Complex as_complex(const Point2& p) { return {p.x(), p.y()}; }
-Point2 as_point(Complex c) { return {c.real(), c.imag()}; }
+Complex as_complex(const Point2& p) {
+  return {p.x(), p.y()};
+}
+Point2 as_point(Complex c) {
+  return {c.real(), c.imag()};
+}
 
 /// Least squares over the nodes of a loop.
 Similarity best_similarity(const std::vector<Point2>& a, const std::vector<Point2>& b) {
@@ -52,7 +57,8 @@ Similarity best_similarity(const std::vector<Point2>& a, const std::vector<Point
 
 std::vector<Point2> half_way_loop(const std::vector<Point2>& a, const std::vector<Point2>& b) {
   const Similarity whole = best_similarity(a, b);
-  const Complex half = std::sqrt(whole.factor), turn_back = std::polar(1.0, -0.5 * std::arg(whole.factor));
+  const Complex half = std::sqrt(whole.factor),
+                turn_back = std::polar(1.0, -0.5 * std::arg(whole.factor));
   std::vector<Point2> out;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Complex left_over = as_complex(b[i]) - whole(as_complex(a[i]));
@@ -60,6 +66,33 @@ std::vector<Point2> half_way_loop(const std::vector<Point2>& a, const std::vecto
                            0.5 * turn_back * left_over));
   }
   return out;
+}
+
+/// The affine map that takes every node of the first boundary to the second's, if there is one.
+std::optional<Affine> exact_affine(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+  constexpr double rounding = 1e-10;  // of the domain's size
+  const Affine map = best_affine(a, b);
+  double size = 0.0, off = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    size = std::max(size, (b[i] - b[0]).norm());
+    off = std::max(off, (map.leftCols<2>() * a[i] + map.col(2) - b[i]).norm());
+  }
+  if (off > rounding * size) return std::nullopt;
+  return map;
+}
+
+/// A right prism and its like: the second end is the first one's image, and only one has to be
+/// meshed.
+PlanarPair image_pair(const PlanarLoops& first, const std::vector<Point2>& second,
+                      const Affine& map, const PlanarMeshOptions& options, const Context& context) {
+  PlanarPair pair;
+  pair.first = mesh_planar(first, options, context);
+  for (const Point2& p : pair.first.points)
+    pair.second.push_back(map.leftCols<2>() * p + map.col(2));
+  std::copy(second.begin(), second.end(), pair.second.begin());
+  pair.first_quality = quality(pair.first.points, pair.first);
+  pair.second_quality = quality(pair.second, pair.first);
+  return pair;
 }
 
 class PairMesher {
@@ -77,7 +110,7 @@ class PairMesher {
   PlanarPair run(const PlanarLoops& second) {
     const auto direct = candidate_meshes(first_, options_, angles_, context_);
     for (const PlanarMesh& mesh : direct) offer([&] { return carried_on(mesh); });
-    if (is_best_at_least(good_enough)) return std::move(*best_);
+    if (is_best_at_least(good_enough)) return finished();
     const PlanarLoops between = half_way(first_, second);
     if (is_domain(between)) {
       PlanarMeshOptions flat = options_;
@@ -89,7 +122,7 @@ class PairMesher {
     for (const PlanarMesh& mesh : direct)
       if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
     if (!best_) throw *failure_;
-    return std::move(*best_);
+    return finished();
   }
 
  private:
@@ -119,8 +152,7 @@ class PairMesher {
 
   PlanarPair carried_on(PlanarMesh mesh) const {
     PlanarPair pair;
-    mesh.points = with_worst_raised(mesh, mesh.points, worth_raising, options_.metric, context_);
-    pair.first_quality = quality(mesh.points, mesh, options_.metric);
+    pair.first_quality = raise(mesh, mesh.points, rounds_to_compare, options_.metric);
     pair.second = map_planar(mesh, second_, onto_second_, context_).points;
     pair.first = std::move(mesh);
     pair.second_quality = settle(pair.first, pair.second, onto_second_.target_metric);
@@ -142,15 +174,32 @@ class PairMesher {
   }
 
   /// Smooths one end towards regular cells where that is better, and raises the worst cells.
-  PlanarQuality settle(const PlanarMesh& cells, std::vector<Point2>& points, const Metric& metric) const {
+  PlanarQuality settle(const PlanarMesh& cells, std::vector<Point2>& points,
+                       const Metric& metric) const {
     const PlanarQuality before = quality(points, cells, metric);
     PlanarMesh there = cells;
     there.points = points;
     there = smoothed(there, metric, context_);
     const PlanarQuality after = quality(there.points, there, metric);
-    if (after.min + 0.5 * after.mean > before.min + 0.5 * before.mean) points = std::move(there.points);
-    points = with_worst_raised(cells, points, worth_raising, metric, context_);
+    if (after.min + 0.5 * after.mean > before.min + 0.5 * before.mean)
+      points = std::move(there.points);
+    return raise(cells, points, rounds_to_compare, metric);
+  }
+
+  PlanarQuality raise(const PlanarMesh& cells, std::vector<Point2>& points, int rounds,
+                      const Metric& metric) const {
+    points = with_worst_raised(cells, points, worth_raising, rounds, metric, context_);
     return quality(points, cells, metric);
+  }
+
+  PlanarPair finished() {
+    PlanarPair pair = std::move(*best_);
+    std::vector<Point2> points = pair.first.points;
+    pair.first_quality = raise(pair.first, points, rounds_to_finish, options_.metric);
+    pair.first.points = std::move(points);
+    pair.second_quality =
+        raise(pair.first, pair.second, rounds_to_finish, onto_second_.target_metric);
+    return pair;
   }
 
   const PlanarLoops& first_;
@@ -184,6 +233,12 @@ PlanarPair mesh_planar_pair(const PlanarLoops& first, const PlanarLoops& second,
   if (!std::equal(first.begin(), first.end(), second.begin(), second.end(),
                   [&](const auto& a, const auto& b) { return count(a) == count(b); }))
     throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
+  const std::vector<Point2> there = flattened(second);
+  const auto affine = exact_affine(flattened(first), there);
+  if (affine && !options.metric && !second_metric) {
+    PlanarPair pair = image_pair(first, there, *affine, options, context);
+    if (pair.second_quality.min >= good_enough * pair.first_quality.min) return pair;
+  }
   return PairMesher(first, second, options, second_metric, context).run(second);
 }
 

@@ -16,7 +16,8 @@ using Edge = std::pair<int, int>;
 
 std::vector<Cell> cells_of(const PlanarMesh& mesh) {
   std::vector<Cell> out;
-  for (int c = 0; c < mesh.n_cells(); ++c) out.emplace_back(mesh.cell(c).begin(), mesh.cell(c).end());
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    out.emplace_back(mesh.cell(c).begin(), mesh.cell(c).end());
   return out;
 }
 
@@ -29,7 +30,8 @@ std::map<Edge, int> left_cells(const std::vector<Cell>& cells) {
   return out;
 }
 
-/// Cells from triangle `start` to the nearest other triangle, both included; empty where there is none.
+/// Cells from triangle `start` to the nearest other triangle, both included; empty where there is
+/// none.
 std::vector<int> path_to_triangle(const std::vector<Cell>& cells, const std::map<Edge, int>& left,
                                   int start) {
   std::vector<int> from(cells.size(), -1);
@@ -78,7 +80,8 @@ int shared_edge_start(const Cell& a, const Cell& b) {
   return -1;
 }
 
-/// Moves the triangle in slot `from` over the quad in slot `over`, to lie next to the cell in slot `to`.
+/// Moves the triangle in slot `from` over the quad in slot `over`, to lie next to the cell in slot
+/// `to`.
 bool move_triangle(std::vector<Cell>& cells, const std::vector<Point2>& points, int from, int over,
                    int to) {
   const Cell five = united(cells[from], cells[over]);
@@ -96,7 +99,8 @@ bool move_triangle(std::vector<Cell>& cells, const std::vector<Point2>& points, 
   return true;
 }
 
-bool pair_along(std::vector<Cell>& cells, const std::vector<Point2>& points, const std::vector<int>& path) {
+bool pair_along(std::vector<Cell>& cells, const std::vector<Point2>& points,
+                const std::vector<int>& path) {
   for (std::size_t i = 0; i + 2 < path.size(); ++i)
     if (!move_triangle(cells, points, path[i], path[i + 1], path[i + 2])) return false;
   const Cell quad = united(cells[path[path.size() - 2]], cells[path.back()]);
@@ -163,8 +167,8 @@ class Editor {
   }
 
   int valence(int node) const { return static_cast<int>(at_node_[node].size()); }
-  /// How far `n` quads at a node are from its wish; the boundary cannot give way, so it counts more, and
-  /// most of all where a quad would have to open its corner almost flat.
+  /// How far `n` quads at a node are from its wish; the boundary cannot give way, so it counts
+  /// more, and most of all where a quad would have to open its corner almost flat.
   double cost(int node, int n) const {
     constexpr double boundary_weight = 3.0, flat_weight = 50.0, flat = 1.75;
     if (node >= n_boundary_) return (n - 4.0) * (n - 4.0);
@@ -242,8 +246,8 @@ class Editor {
     for (const int other : at_node_[gone])
       for (const int node : quads_[other])
         if (node == kept && quads_[other] != quad) return false;
-    const double change = gain(kept, valence(gone) - 2) - cost(gone, valence(gone)) + gain(left, -1) +
-                          gain(right, -1);
+    const double change = gain(kept, valence(gone) - 2) - cost(gone, valence(gone)) +
+                          gain(left, -1) + gain(right, -1);
     return change < least_gain;
   }
 
@@ -291,56 +295,13 @@ class Editor {
   const std::vector<std::vector<double>>& angles_;
 };
 
-/// Of a cell without inside nodes and of two loops or more, the loop that comes last.
-void mark_tied_holes(const PlanarMesh& mesh, const std::vector<int>& loop_of, std::vector<char>& marks) {
-  for (int c = 0; c < mesh.n_cells(); ++c) {
-    int first = static_cast<int>(marks.size()), last = -1;
-    bool has_inside_node = false;
-    for (const int node : mesh.cell(c)) {
-      if (node >= mesh.n_boundary) {
-        has_inside_node = true;
-        continue;
-      }
-      first = std::min(first, loop_of[node]);
-      last = std::max(last, loop_of[node]);
-    }
-    if (!has_inside_node && first != last) marks[last] = 1;
-  }
-}
-
-void mark_flat_corners(const PlanarMesh& mesh, const std::vector<int>& loop_of,
-                       const std::vector<std::vector<double>>& angles, std::vector<char>& marks) {
-  constexpr double flat = 150.0 / 180.0 * std::numbers::pi;
-  std::vector<int> count(mesh.n_nodes(), 0);
-  for (const int node : mesh.cell_nodes) ++count[node];
-  for (int i = 0; i < mesh.n_boundary; ++i)
-    for (const auto& shape : angles)
-      if (shape[i] > flat * count[i]) marks[loop_of[i]] = 1;
-}
-
-/// New nodes a little inside of a loop's, for the cells there to use, and the quads between.
-void add_ring(int first, int count, std::vector<int>& number, PlanarMesh& mesh) {
-  constexpr double share = 0.3;  // of the boundary edges
-  const int ring = mesh.n_nodes();
-  for (int i = 0; i < count; ++i) {
-    const Point2& p = mesh.points[first + i];
-    const Point2 along = mesh.points[first + (i + 1) % count] - mesh.points[first + (i + count - 1) % count];
-    number[first + i] = ring + i;
-    mesh.points.push_back(p + 0.5 * share * Point2(-along.y(), along.x()));
-  }
-  for (int i = 0; i < count; ++i) {
-    const int next = (i + 1) % count;
-    const std::array<int, 4> quad = {first + i, first + next, ring + next, ring + i};
-    mesh.add_cell(quad);
-  }
-}
-
 }  // namespace
 
 std::optional<PlanarMesh> with_triangles_paired(const PlanarMesh& mesh) {
   std::vector<Cell> cells = cells_of(mesh);
   for (;;) {
-    const auto triangle = std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return c.size() == 3; });
+    const auto triangle =
+        std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return c.size() == 3; });
     if (triangle == cells.end()) return with_cells(mesh, cells);
     const auto path =
         path_to_triangle(cells, left_cells(cells), static_cast<int>(triangle - cells.begin()));
@@ -353,70 +314,6 @@ PlanarMesh with_regular_valences(const PlanarMesh& mesh,
   Editor editor(mesh, angles);
   editor.run();
   return editor.result();
-}
-
-PlanarMesh with_rings(const PlanarMesh& mesh, const PlanarLoops& loops,
-                      const std::vector<std::vector<double>>& angles) {
-  std::vector<int> loop_of;
-  for (std::size_t l = 0; l < loops.size(); ++l)
-    loop_of.insert(loop_of.end(), loops[l].size(), static_cast<int>(l));
-  std::vector<char> is_ringed(loops.size(), 0);
-  mark_tied_holes(mesh, loop_of, is_ringed);
-  mark_flat_corners(mesh, loop_of, angles, is_ringed);
-  PlanarMesh out;
-  out.points = mesh.points;
-  out.n_boundary = mesh.n_boundary;
-  std::vector<int> number(mesh.n_nodes());
-  for (int i = 0; i < mesh.n_nodes(); ++i) number[i] = i;
-  int first = 0;
-  for (std::size_t l = 0; l < loops.size(); first += static_cast<int>(loops[l++].size()))
-    if (is_ringed[l]) add_ring(first, static_cast<int>(loops[l].size()), number, out);
-  for (int c = 0; c < mesh.n_cells(); ++c) {
-    Cell cell;
-    for (const int node : mesh.cell(c)) cell.push_back(number[node]);
-    out.add_cell(cell);
-  }
-  return out;
-}
-
-PlanarMesh refined_to_quads(const PlanarMesh& mesh, const PlanarLoops& boundary) {
-  PlanarMesh out;
-  out.points = flattened(boundary);
-  out.n_boundary = out.n_nodes();
-  std::vector<int> number(mesh.n_nodes());
-  for (int i = 0; i < mesh.n_nodes(); ++i) {
-    number[i] = i < mesh.n_boundary ? 2 * i : out.n_nodes();
-    if (i >= mesh.n_boundary) out.points.push_back(mesh.points[i]);
-  }
-  std::map<Edge, int> middle;
-  int first = 0;
-  for (const auto& loop : boundary) {
-    const int n = static_cast<int>(loop.size());
-    for (int i = 0; i < n; i += 2)
-      middle[std::minmax(first + i, first + (i + 2) % n)] = first + i + 1;
-    first += n;
-  }
-  const auto middle_of = [&](int a, int b) {
-    const auto [entry, is_new] = middle.try_emplace(std::minmax(a, b), out.n_nodes());
-    if (is_new) out.points.push_back(0.5 * (out.points[a] + out.points[b]));
-    return entry->second;
-  };
-  for (int c = 0; c < mesh.n_cells(); ++c) {
-    Cell cell;
-    for (const int node : mesh.cell(c)) cell.push_back(number[node]);
-    const int n = static_cast<int>(cell.size());
-    Point2 centre = Point2::Zero();
-    for (const int node : cell) centre += out.points[node] / n;
-    const int in = out.n_nodes();
-    out.points.push_back(centre);
-    for (int i = 0; i < n; ++i) {
-      const int next = middle_of(cell[i], cell[(i + 1) % n]);
-      const int previous = middle_of(cell[(i + n - 1) % n], cell[i]);
-      const std::array<int, 4> quad = {cell[i], next, in, previous};
-      out.add_cell(quad);
-    }
-  }
-  return out;
 }
 
 }  // namespace sweepmesh

@@ -28,7 +28,9 @@ void check_input(const PlanarLoops& loops, const PlanarMeshOptions& options) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     n_edges += loops[l].size();
     if (loops[l].size() < 3)
-      throw InputError("surface", "A boundary loop of a cap has fewer than three mesh edges; choose a smaller size.");
+      throw InputError(
+          "surface",
+          "A boundary loop of a cap has fewer than three mesh edges; choose a smaller size.");
     if ((signed_area(loops[l]) > 0.0) != (l == 0))
       throw InputError("surface", "The boundary loops of a cap do not run around its face.");
   }
@@ -36,7 +38,8 @@ void check_input(const PlanarLoops& loops, const PlanarMeshOptions& options) {
     throw InputError("surface",
                      "The boundary loops of a cap touch or cross; choose a smaller element size.");
   if (options.kind == CellKind::quad && n_edges % 2 != 0)
-    throw InputError("surface", "A cap's boundary has an odd number of mesh edges, so quads cannot fill it.");
+    throw InputError("surface",
+                     "A cap's boundary has an odd number of mesh edges, so quads cannot fill it.");
 }
 
 /// Shortest by longest edge, the mean over all cells.
@@ -44,22 +47,18 @@ double mean_edge_ratio(const PlanarMesh& mesh, const Metric& metric) {
   double sum = 0.0;
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const auto cell = mesh.cell(c);
-    const Eigen::Matrix2d root = metric ? metric(mesh.points[cell[0]]) : Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d root =
+        metric ? metric(mesh.points[cell[0]]) : Eigen::Matrix2d::Identity();
     double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
     for (std::size_t i = 0; i < cell.size(); ++i) {
-      const double length = (root * (mesh.points[cell[(i + 1) % cell.size()]] - mesh.points[cell[i]])).norm();
+      const double length =
+          (root * (mesh.points[cell[(i + 1) % cell.size()]] - mesh.points[cell[i]])).norm();
       shortest = std::min(shortest, length);
       longest = std::max(longest, length);
     }
     sum += shortest / longest;
   }
   return sum / std::max(1, mesh.n_cells());
-}
-
-/// How good a mesh is as a whole: the worst cell counts most.
-double score(const PlanarMesh& mesh, const Metric& metric) {
-  const PlanarQuality q = quality(mesh.points, mesh, metric);
-  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
 }
 
 PlanarMesh from_gmsh(const GmshMesh& made, const PlanarLoops& loops) {
@@ -111,13 +110,15 @@ std::optional<PlanarMesh> by_halving(const Task& task) {
     for (std::size_t i = 0; i < loop.size(); i += 2) half.back().push_back(loop[i]);
   }
   const double size = 2.0 * task.options.size;
-  return cleaned(refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), task.loops),
-                 task);
+  return cleaned(
+      refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), task.loops),
+      task);
 }
 
 /// Lets one way of meshing fail, as long as another one works.
 template <class Make>
-void try_to_add(const Make& make, std::vector<PlanarMesh>& out, std::optional<SolverError>& failure) {
+void try_to_add(const Make& make, std::vector<PlanarMesh>& out,
+                std::optional<SolverError>& failure) {
   try {
     if (std::optional<PlanarMesh> mesh = make()) out.push_back(std::move(*mesh));
   } catch (const SolverError& e) {
@@ -132,14 +133,18 @@ double worst(const std::vector<PlanarMesh>& meshes, const Metric& metric) {
 }
 
 std::vector<PlanarMesh> quad_candidates(const Task& task) {
-  constexpr double poor = 0.3;
+  constexpr double poor = 0.3, decent = 0.5;
+  constexpr int large = 4000;  // cells; a second choice would cost seconds
   std::vector<PlanarMesh> out;
   std::optional<SolverError> failure;
   for (const PlanarMesh& pattern : structured_candidates(task.loops, task.options.size))
     out.push_back(smoothed(pattern, task.options.metric, task.context));
   if (worst(out, task.options.metric) >= good_enough) return out;
-  for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms})
+  for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms}) {
+    const bool is_large = !out.empty() && out.back().n_cells() > large;
+    if (is_large && worst(out, task.options.metric) >= decent) break;
     try_to_add([&] { return unstructured(algorithm, task); }, out, failure);
+  }
   if (worst(out, task.options.metric) < poor) {
     try_to_add([&] { return by_halving(task); }, out, failure);
     for (std::size_t i = 0, n = out.size(); i < n; ++i)
@@ -169,7 +174,8 @@ std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
   const std::vector<Point2> all = harmonic_extension(mesh, boundary, metric);
   std::vector<double> size(mesh.n_cells(), 0.0);
   for (int c = 0; c < mesh.n_cells(); ++c)
-    for (const int node : mesh.cell(c)) size[c] += all[node].x() / static_cast<double>(mesh.cell(c).size());
+    for (const int node : mesh.cell(c))
+      size[c] += all[node].x() / static_cast<double>(mesh.cell(c).size());
   return size;
 }
 
@@ -193,13 +199,22 @@ void fit_to_area(std::vector<double>& size, const PlanarMesh& mesh, const Metric
 
 }  // namespace
 
+double overall_quality(const PlanarMesh& mesh, const Metric& metric) {
+  const PlanarQuality q = quality(mesh.points, mesh, metric);
+  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
+}
+
 PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context) {
   std::vector<double> size = local_sizes(mesh, metric);
   fit_to_area(size, mesh, metric);
   std::vector<char> fixed(mesh.n_nodes(), 0);
   std::fill_n(fixed.begin(), mesh.n_boundary, 1);
+  FoldoverOptions options;
+  options.tolerance = 1e-3;
   PlanarMesh out = mesh;
-  out.points = minimise_foldover(mesh.points, fixed, corners_regular(mesh, size), metric, {}, context).points;
+  out.points =
+      minimise_foldover(mesh.points, fixed, corners_regular(mesh, size), metric, options, context)
+          .points;
   return out;
 }
 
@@ -239,17 +254,20 @@ std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarM
                                          const BoundaryAngles& angles, const Context& context) {
   check_input(loops, options);
   if (options.kind == CellKind::quad) return quad_candidates({loops, options, angles, context});
-  return {smoothed(by_gmsh(loops, GmshAlgorithm::frontal, options.size, false, context), options.metric,
-                   context)};
+  return {smoothed(by_gmsh(loops, GmshAlgorithm::frontal, options.size, false, context),
+                   options.metric, context)};
 }
 
-PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options, const Context& context) {
+PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options,
+                       const Context& context) {
   std::vector<PlanarMesh> all = candidate_meshes(loops, options, {interior_angles(loops)}, context);
   const auto best = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
-    return score(a, options.metric) < score(b, options.metric);
+    return overall_quality(a, options.metric) < overall_quality(b, options.metric);
   });
   constexpr double worth_raising = 0.7;
-  best->points = with_worst_raised(*best, best->points, worth_raising, options.metric, context);
+  constexpr int max_rounds = 6;
+  best->points =
+      with_worst_raised(*best, best->points, worth_raising, max_rounds, options.metric, context);
   std::vector<long> inverted;
   for (int c = 0; c < best->n_cells(); ++c)
     if (scaled_jacobian(best->points, best->cell(c), options.metric) <= 0.0) inverted.push_back(c);

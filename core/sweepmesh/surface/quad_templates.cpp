@@ -81,7 +81,8 @@ Sides inscribed_rectangle(const std::vector<Point2>& loop) {
     for (int i = 0; i < 4; ++i) side[i] = at(loop, c[(i + 1) % 4]) - at(loop, c[i]);
     double cost = 0.0;
     for (int i = 0; i < 4; ++i) {
-      const double angle = std::atan2(cross2(side[i], side[(i + 1) % 4]), side[i].dot(side[(i + 1) % 4]));
+      const double angle =
+          std::atan2(cross2(side[i], side[(i + 1) % 4]), side[i].dot(side[(i + 1) % 4]));
       cost += std::pow(angle - std::numbers::pi / 2.0, 2);
     }
     const double along = (side[0].norm() + side[2].norm()) / s.a;
@@ -90,7 +91,8 @@ Sides inscribed_rectangle(const std::vector<Point2>& loop) {
   });
 }
 
-/// A grid of nodes (i, j), 0 <= i <= a, 0 <= j <= b, whose rim is a closed row of a + b + a + b nodes.
+/// A grid of nodes (i, j), 0 <= i <= a, 0 <= j <= b, whose rim is a closed row of a + b + a + b
+/// nodes.
 struct Grid {
   int a, b;
   std::vector<int> node;
@@ -104,7 +106,8 @@ struct Grid {
   }
 };
 
-/// Inside nodes of a grid from its rim by transfinite interpolation (Gordon and Hall), and its quads.
+/// Inside nodes of a grid from its rim by transfinite interpolation (Gordon and Hall), and its
+/// quads.
 void fill(Grid& grid, PlanarMesh& mesh) {
   const int a = grid.a, b = grid.b;
   const auto p = [&](int i, int j) -> Point2 { return mesh.points[grid(i, j)]; };
@@ -119,7 +122,8 @@ void fill(Grid& grid, PlanarMesh& mesh) {
     }
   for (int j = 0; j < b; ++j)
     for (int i = 0; i < a; ++i) {
-      const std::array<int, 4> quad = {grid(i, j), grid(i + 1, j), grid(i + 1, j + 1), grid(i, j + 1)};
+      const std::array<int, 4> quad = {grid(i, j), grid(i + 1, j), grid(i + 1, j + 1),
+                                       grid(i, j + 1)};
       mesh.add_cell(quad);
     }
 }
@@ -183,7 +187,8 @@ PlanarMesh o_grid(const PlanarLoops& loops, const Sides& sides) {
       mesh.points.push_back(centre + core_scale * (p - centre));
     }
   }
-  add_rings(outer, inner, std::max(1, static_cast<int>(std::lround(ring_share * std::min(sides.a, sides.b)))),
+  add_rings(outer, inner,
+            std::max(1, static_cast<int>(std::lround(ring_share * std::min(sides.a, sides.b)))),
             mesh);
   fill(core, mesh);
   return mesh;
@@ -225,8 +230,7 @@ std::vector<PlanarMesh> structured_candidates(const PlanarLoops& loops, double s
   if (loops.size() == 2 && loops[0].size() == loops[1].size()) out.push_back(ring(loops, size));
   if (loops.size() != 1 || loops[0].size() % 2 != 0 || loops[0].size() < 4) return out;
   if (const auto sides = logical_corners(loops[0])) out.push_back(mapped(loops, *sides));
-  if (is_smooth(loops[0]))
-    out.push_back(o_grid(loops, inscribed_rectangle(loops[0])));
+  if (is_smooth(loops[0])) out.push_back(o_grid(loops, inscribed_rectangle(loops[0])));
   return out;
 }
 

@@ -4,9 +4,11 @@
 //   O-grid: one smooth loop; a core of a x b quads inside rings of cells that follow the loop
 //
 //     +--+--+--+        .-------.
-//     |  |  |  |       / \  |  / \        The templates place nodes by transfinite interpolation; the
-//     +--+--+--+      |---+-+-+---|       result may be poor or even inverted for a loop that does not
-//     |  |  |  |      |   +-+-+   |       suit: smooth it, measure it, and keep it only if it is good.
+//     |  |  |  |       / \  |  / \        The templates place nodes by transfinite interpolation;
+//     the
+//     +--+--+--+      |---+-+-+---|       result may be poor or even inverted for a loop that does
+//     not |  |  |  |      |   +-+-+   |       suit: smooth it, measure it, and keep it only if it
+//     is good.
 //     +--+--+--+       \ /  |  \ /
 //                       '-------'
 #pragma once
@@ -17,8 +19,8 @@
 
 namespace sweepmesh {
 
-/// Structured candidates for the loops with their nodes as they are and inside edges of about `size`: those
-/// that are possible by the counts, none, one or two. Nothing is said about quality.
+/// Structured candidates for the loops with their nodes as they are and inside edges of about
+/// `size`: those that are possible by the counts, none, one or two. Nothing is said about quality.
 std::vector<PlanarMesh> structured_candidates(const PlanarLoops& loops, double size);
 
 }  // namespace sweepmesh

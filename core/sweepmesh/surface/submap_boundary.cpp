@@ -3,13 +3,10 @@
 #include <cstdlib>
 #include <limits>
 
-#include "sweepmesh/base/errors.h"
 #include "sweepmesh/intervals/face_layout.h"
 
 namespace sweepmesh {
 namespace {
-
-const char* const stage = "surface";
 
 class Gatherer {
  public:
@@ -48,12 +45,6 @@ class Gatherer {
   }
 
   void add_coedge(const Coedge& c, Direction d, const Point2& shift) {
-    if (!c.edge.is_valid())
-      throw InputError(stage,
-                       name_of(face_) +
-                           " is a linking face with a pole, where a structured grid would "
-                           "collapse to a point.",
-                       {name_of(face_)});
     const auto& t = edges_.parameters.t[c.edge.index];
     const auto& chain = edges_.edge[c.edge.index];
     const int n = static_cast<int>(t.size()) - 1;

@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include "sweepmesh/intervals/grid_region.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/scheme/scheme.h"
 #include "sweepmesh/surface/linking_edges.h"
-#include "sweepmesh/surface/submap_region.h"
 
 namespace sweepmesh {
 
@@ -21,8 +21,7 @@ struct SubmapBoundary {
 };
 
 /// The rims of a tube without a seam are turned so that nodes of equal i lie close together (`mesh`
-/// holds the nodes of `edges`). Throws InputError where a loop has a pole (a degenerate edge): no
-/// structured grid with k constant along transverse edges passes it.
+/// holds the nodes of `edges`). Requires a face without poles.
 SubmapBoundary submap_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
                                const EdgeMesh& edges, const SurfaceMesh& mesh, FaceId face);
 

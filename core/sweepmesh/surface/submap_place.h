@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sweepmesh/base/geometry.h"
-#include "sweepmesh/surface/submap_region.h"
+#include "sweepmesh/intervals/grid_region.h"
 
 namespace sweepmesh {
 

@@ -8,7 +8,6 @@
 namespace sweepmesh {
 namespace {
 
-constexpr int max_rounds = 6;
 constexpr int rings = 4;
 constexpr double sharpness = 3.0;  // weight of a cell: (1 / scaled Jacobian) to this power
 constexpr double heaviest = 1e4;
@@ -17,17 +16,20 @@ Eigen::Matrix2d root_at(const PlanarMesh& mesh, const std::vector<Point2>& point
                         const Metric& metric) {
   if (!metric) return Eigen::Matrix2d::Identity();
   Point2 centre = Point2::Zero();
-  for (const int node : mesh.cell(c)) centre += points[node] / static_cast<double>(mesh.cell(c).size());
+  for (const int node : mesh.cell(c))
+    centre += points[node] / static_cast<double>(mesh.cell(c).size());
   return metric(centre);
 }
 
-/// The wished edges at corner i of a rectangle whose sides are as long as the quad's are on the mean.
-Eigen::Matrix2d rectangle_corner(const std::vector<Point2>& points, std::span<const int> quad, int i,
-                                 const Eigen::Matrix2d& root) {
+/// The wished edges at corner i of a rectangle whose sides are as long as the quad's are on the
+/// mean.
+Eigen::Matrix2d rectangle_corner(const std::vector<Point2>& points, std::span<const int> quad,
+                                 int i, const Eigen::Matrix2d& root) {
   const auto length = [&](int a) {
     return (root * (points[quad[(a + 1) % 4]] - points[quad[a % 4]])).norm();
   };
-  const double along = 0.5 * (length(i) + length(i + 2)), across = 0.5 * (length(i + 1) + length(i + 3));
+  const double along = 0.5 * (length(i) + length(i + 2)),
+               across = 0.5 * (length(i + 1) + length(i + 3));
   return Point2(along, across).asDiagonal();
 }
 
@@ -74,14 +76,16 @@ std::vector<char> fixed_but_near(const PlanarMesh& mesh, const std::vector<doubl
 std::vector<double> scaled_jacobians(const PlanarMesh& mesh, const std::vector<Point2>& points,
                                      const Metric& metric) {
   std::vector<double> out;
-  for (int c = 0; c < mesh.n_cells(); ++c) out.push_back(scaled_jacobian(points, mesh.cell(c), metric));
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    out.push_back(scaled_jacobian(points, mesh.cell(c), metric));
   return out;
 }
 
 }  // namespace
 
 std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<Point2>& points,
-                                      double limit, const Metric& metric, const Context& context) {
+                                      double limit, int max_rounds, const Metric& metric,
+                                      const Context& context) {
   std::vector<Point2> best = points, now = points;
   std::vector<double> jacobians = scaled_jacobians(mesh, points, metric);
   double worst = jacobians.empty() ? 1.0 : *std::min_element(jacobians.begin(), jacobians.end());
@@ -89,11 +93,13 @@ std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<
   const std::vector<char> fixed = fixed_but_near(mesh, jacobians, limit);
   FoldoverOptions options;
   options.area_share = 0.05;
-  options.max_iterations = 12;
+  options.max_iterations = 8;
+  options.tolerance = 1e-3;
   std::vector<double> weight(mesh.n_cells(), 1.0);
   for (int round = 0; round < max_rounds; ++round) {
     for (int c = 0; c < mesh.n_cells(); ++c)
-      weight[c] = std::min(heaviest, std::sqrt(weight[c]) * std::pow(1.0 / jacobians[c], sharpness));
+      weight[c] =
+          std::min(heaviest, std::sqrt(weight[c]) * std::pow(1.0 / jacobians[c], sharpness));
     std::vector<MapTriangle> corners = weighted_corners(mesh, now, weight, metric);
     std::erase_if(corners, [&](const MapTriangle& t) {
       return std::all_of(t.node.begin(), t.node.end(), [&](int node) { return fixed[node]; });
@@ -103,6 +109,7 @@ std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<
     const double value = *std::min_element(jacobians.begin(), jacobians.end());
     if (value <= 0.0) break;
     if (value > worst) worst = value, best = now;
+    if (worst >= limit) break;
   }
   return best;
 }

@@ -46,7 +46,7 @@ bool is_met(const CountProblem::Demand& d, const std::vector<long>& x) {
 }
 
 void expect_met(const CountProblem& p, const CountSolution& s) {
-  ASSERT_TRUE(s.is_feasible());
+  ASSERT_TRUE(s.is_feasible);
   for (const auto& d : p.demands) EXPECT_TRUE(is_met(d, s.values)) << d.text;
 }
 
@@ -167,7 +167,7 @@ TEST(CountProblem, ConflictIsMinimal) {
     demand(p, Kind::equality, {{x[a], 1.0}}, 4.0);
     demand(p, Kind::equality, {{x[b], 1.0}}, 6.0);
     const auto s = solved(p);
-    ASSERT_FALSE(s.is_feasible());
+    ASSERT_FALSE(s.is_feasible);
     EXPECT_EQ(static_cast<int>(s.conflict.size()), std::abs(a - b) + 2);
     Context context;
     for (std::size_t spared = 0; spared < s.conflict.size(); ++spared) {

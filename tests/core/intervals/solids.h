@@ -34,7 +34,7 @@ inline TopoDS_Wire wire_of(const std::vector<gp_Pnt>& points) {
   return polygon.Wire();
 }
 
-/// A plane face with holes, moved along a vector: the outer loop first.
+/// A plane face with holes, moved along a vector: the outer loop first, all in the same sense.
 inline TopoDS_Shape prism(const std::vector<std::vector<gp_Pnt>>& loops, const gp_Vec& along) {
   BRepBuilderAPI_MakeFace face(wire_of(loops[0]), true);
   for (std::size_t l = 1; l < loops.size(); ++l) {

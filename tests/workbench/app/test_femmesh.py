@@ -2,8 +2,10 @@
 import types
 
 import numpy as np
+import Part
 import pytest
 
+from sweepmesh import app
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.engine.errors import InputError
 
@@ -59,6 +61,18 @@ def test_hexahedra_are_oriented_as_freecad_wants_them():
 def test_prisms_are_oriented_as_freecad_wants_them():
     mesh = to_femmesh(prism_result())
     assert mesh.PrismCount == 2 and all(first_face_normal_points_out(mesh, e, 3) for e in mesh.Volumes)
+
+
+@pytest.mark.parametrize("element, corners", [("hex", 8), ("prism", 6)])
+def test_mid_side_nodes_are_at_the_middle_of_their_sides(element, corners):
+    sides = {8: [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]}
+    sides[6] = [(0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)]
+    mesh = to_femmesh(app.mesh(Part.makeBox(3, 2, 2), size=1.0, element=element, order=2))
+    for volume in mesh.Volumes:
+        nodes = [mesh.getNodeById(n) for n in mesh.getElementNodes(volume)]
+        assert len(nodes) == corners + len(sides[corners])
+        for middle, (a, b) in zip(nodes[corners:], sides[corners]):
+            assert middle.distanceToPoint((nodes[a] + nodes[b]) / 2) < 1e-9
 
 
 def test_coordinates_are_exact():

@@ -41,6 +41,13 @@ def test_the_plan_names_what_was_picked_and_what_was_found(box):
     assert plan.faces("linking") == ["Face3", "Face4", "Face5", "Face6"]
 
 
+def test_the_plan_tells_the_numbers_of_the_mesh(box):
+    plan = app.plan(box, size=1.0, sources=["Face6"])
+    result = app.mesh(plan)
+    assert plan.intervals == result.intervals
+    assert plan.details.n_layers == 2 and "layers   2" in str(plan)
+
+
 def test_an_unsweepable_solid_is_an_answer_and_no_error():
     plan = app.plan(Part.makeSphere(5))
     assert not plan.is_sweepable and plan.assessment.reasons[0].text in str(plan)
@@ -56,7 +63,17 @@ def test_solids_and_what_is_none(document, box):
             app.assess(wrong)
 
 
-def test_two_solids_in_one_shape_are_told(document):
-    two = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, FreeCAD.Vector(3, 0, 0))])
-    with pytest.raises(InputError, match="2 solids"):
-        app.assess(two)
+def test_a_shape_of_two_solids_becomes_one_mesh(document):
+    pair = document.addObject("Part::Feature", "Pair")
+    pair.Shape = Part.makeCompound([Part.makeBox(4, 4, 4), Part.makeBox(2, 4, 4, FreeCAD.Vector(10, 0, 0))])
+    mesh = app.make_sweep_mesh(pair, size=1.0)
+    assert mesh.isValid() and mesh.FemMesh.HexaCount == 64 + 32
+    names = [mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups]
+    assert "Face1" in names and "Face12" in names
+    app.update_sweep_mesh(mesh, solid=2)
+    assert mesh.Solid == 2 and mesh.FemMesh.HexaCount == 32
+
+
+def test_a_shape_without_a_solid_is_told(document):
+    with pytest.raises(InputError, match="no solid"):
+        app.assess(Part.makeBox(1, 1, 1).Shells[0])

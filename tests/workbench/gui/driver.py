@@ -108,8 +108,9 @@ def _canvas():
 
 
 def press(button):
-    """Click on a button of a panel or a toolbar."""
-    QTest.mouseClick(button, LEFT, NO_KEY)
+    """Click on a button of a panel or a toolbar, or on the box of a check box."""
+    at = QtCore.QPoint(10, button.height() // 2) if isinstance(button, QtGui.QCheckBox) else QtCore.QPoint()
+    QTest.mouseClick(button, LEFT, NO_KEY, at)
     settle()
 
 

@@ -6,7 +6,7 @@ sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
 from driver import (
-    check, click_face, go, is_panel_open, main_window, note, panel_button, picture, press, rows, settle, show_all,
+    check, click_face, go, is_panel_open, note, panel_button, picture, press, rows, settle, show_all,
     tool_button, type_into, wait_for, widget,
 )
 
@@ -14,20 +14,52 @@ COMMAND = "Create sweep mesh"
 
 
 def steps():
-    document = FreeCAD.newDocument("Part")
-    document.UndoMode = 1
-    brick = document.addObject("Part::Box", "Brick")
-    brick.Length, brick.Width, brick.Height = 20, 10, 8
-    document.recompute()
+    document, brick = new_document()
     show_all()
     picture("01_workbench")
     proposal_without_picks(brick)
     picks_taken_over(brick)
     picking_and_unpicking(brick)
+    lines = record()
     mesh = meshing(document, brick)
+    FreeCADGui.doCommand = lines.pop(0)
     undo_and_redo(document, brick)
     editing(document, document.getObject(mesh))
     nothing_selected(brick)
+    replayed(lines)
+
+
+def record():
+    """Keep the lines that go to FreeCAD's recorder; the first item is the recorder itself."""
+    lines = [FreeCADGui.doCommand]
+
+    def keep(line):
+        lines.append(line)
+        lines_run(line)
+
+    lines_run = FreeCADGui.doCommand
+    FreeCADGui.doCommand = keep
+    return lines
+
+
+def replayed(lines):
+    """What was recorded makes the same mesh in a new document."""
+    note("recorded", lines)
+    document = new_document()[0]
+    names = {"App": FreeCAD, "sweepmesh": __import__("sweepmesh.app")}
+    for line in lines:
+        exec(line, names)
+    check("the recorded lines are a macro", document.SweepMesh.FemMesh.HexaCount == 200)
+    check("readable in a line each", lines and all(len(line) < 120 for line in lines))
+
+
+def new_document():
+    document = FreeCAD.newDocument("Part")
+    document.UndoMode = 1
+    brick = document.addObject("Part::Box", "Brick")
+    brick.Length, brick.Width, brick.Height = 20, 10, 8
+    document.recompute()
+    return document, brick
 
 
 def open_panel():

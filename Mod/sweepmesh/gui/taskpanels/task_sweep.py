@@ -4,15 +4,16 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from sweepmesh import engine
+from sweepmesh.app import preferences
 from sweepmesh.app.objects.sweep import options_of
 from sweepmesh.app.remembered import remember
 from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
 from sweepmesh.gui import recorder
-from sweepmesh.gui.overlays.roles import RoleOverlay
 from sweepmesh.gui.resources import icon, load_form, tr
 from sweepmesh.gui.runner import STOP_SECONDS, Runner
 from sweepmesh.gui.taskpanels.face_lists import FaceLists
+from sweepmesh.gui.taskpanels.previews import Previews
 
 ELEMENTS = ("hex", "prism")  # what FreeCAD's FEM meshes hold
 
@@ -30,11 +31,12 @@ class SweepPanel:
         self.form = load_form("Sweep")
         self.form.setWindowTitle(tr("Sweep mesh"))
         self.form.setWindowIcon(QtGui.QIcon(icon("Sweep")))
-        self._overlay = RoleOverlay(shape)
         self._faces = FaceLists(self.form, shape)
+        self._previews = Previews(self.form, shape, self._task)
         self._assessor, self._mesher = Runner(), Runner()
         self._connect()
         self.load(faces)
+        self._is_open = True
         FreeCAD.addDocumentObserver(self)
 
     # --- settings -------------------------------------------------------------------------------------
@@ -43,16 +45,31 @@ class SweepPanel:
         """Show the settings of the mesh object, or those to start with."""
         form = self.form
         form.shapeName.setText(self._shape.Label)
-        options = options_of(self._mesh) if self._mesh else engine.Options(size=proposed_size(self._shape))
+        form.showRoles.setChecked(preferences.colour_faces())
+        stored = self._stored_options()
+        options = stored or self._first_options()
+        self._others = {name: getattr(options, name) for name in ("max_elements", "solid")}
         form.meshSize.setProperty("rawValue", options.size or 0.0)
         form.layerCount.setValue(options.layers or 0)
         form.elementKind.setCurrentIndex(ELEMENTS.index(options.element) if options.element in ELEMENTS else 0)
         form.elementOrder.setCurrentIndex(options.order - 1)
-        if self._mesh:
-            sources, targets = _names(options.sources), _names(options.targets)
+        if stored:
+            picks = _names(options.sources), _names(options.targets), [tuple(_names(pair)) for pair in options.pairs]
         else:
-            sources, targets = _split(faces)
-        self._faces.set_picks(sources, targets)
+            picks = _split(faces)
+        self._faces.set_picks(*picks)
+
+    def _stored_options(self):
+        """Return the options of the mesh object; None where there is none or its links lead nowhere."""
+        try:
+            return options_of(self._mesh) if self._mesh else None
+        except engine.SweepMeshError as error:
+            FreeCAD.Console.PrintWarning(f"{error}\n")
+            return None
+
+    def _first_options(self):
+        size = proposed_size(self._shape, preferences.wished_elements())
+        return engine.Options(size=size, order=preferences.order())
 
     def settings(self):
         """Return the settings of the form by the names that `make_sweep_mesh` takes."""
@@ -64,6 +81,7 @@ class SweepPanel:
             "order": form.elementOrder.currentIndex() + 1,
             "sources": list(self._faces.picks["source"]),
             "targets": list(self._faces.picks["target"]),
+            "pairs": list(self._faces.pairs),
         }
 
     def _connect(self):
@@ -71,10 +89,12 @@ class SweepPanel:
         form.elementKind.addItems([tr("Hexahedra"), tr("Prisms")])
         form.elementOrder.addItems([tr("First"), tr("Second")])
         self._faces.changed.connect(self.assess)
-        self._faces.selected.connect(self._overlay.uncover)
+        self._faces.selected.connect(self._previews.uncover)
         form.propose.clicked.connect(lambda: self._faces.set_picks([], []))
         form.schemes.activated.connect(self._choose_scheme)
-        form.showRoles.toggled.connect(self._show_overlay)
+        QtCore.QObject.connect(form.meshSize, QtCore.SIGNAL("valueChanged(double)"), self._previews.update)
+        form.layerCount.valueChanged.connect(self._previews.update)
+        form.elementKind.currentIndexChanged.connect(self._previews.update)
         form.reasons.itemSelectionChanged.connect(self._select_entities)
         form.stop.clicked.connect(self._mesher.cancel)
         self._assessor.succeeded.connect(self._show_assessment)
@@ -100,7 +120,7 @@ class SweepPanel:
     def _show_assessment(self, assessment):
         self._schemes = assessment.schemes
         self._faces.show_roles(assessment.roles)
-        self._show_overlay()
+        self._previews.set_roles(assessment.roles)
         self._show_reasons([(reason.text, reason.entities) for reason in assessment.reasons])
         is_sweepable = assessment.verdict == "sweepable"
         self.form.verdict.setText(tr("The solid can be swept.") if is_sweepable else tr("The solid cannot be swept."))
@@ -112,13 +132,9 @@ class SweepPanel:
         scheme = self._schemes[index]
         self._faces.set_picks(faces_with(scheme, "source"), faces_with(scheme, "target"))
 
-    def _show_overlay(self, *_):
-        roles = self._schemes[0] if self._schemes and self.form.showRoles.isChecked() else {}
-        self._overlay.set_roles(roles)
-
     def _show_error(self, error):
         self._schemes = []
-        self._show_overlay()
+        self._previews.set_roles({})
         self.form.verdict.setText(tr("No mesh can be made:"))
         self._show_reasons([(str(error), list(getattr(error, "entities", ())))])
 
@@ -158,7 +174,7 @@ class SweepPanel:
         return True
 
     def _task(self):
-        settings = self.settings()
+        settings = {**self.settings(), **self._others, "threads": preferences.threads()}
         return brep_of(self._shape), options_for(self._shape, **settings)
 
     def _show_running(self, is_running):
@@ -192,7 +208,8 @@ class SweepPanel:
         """What OK does, as recorded Python."""
         settings = self.settings()
         if self._mesh:
-            changed = recorder.arguments(_changes(options_of(self._mesh), settings))
+            stored = self._stored_options()
+            changed = recorder.arguments(_changes(stored, settings) if stored else settings)
             arguments = [recorder.reference(self._mesh), *changed]
             return tr("Edit sweep mesh"), [f"sweepmesh.app.update_sweep_mesh({', '.join(arguments)})"]
         shape = recorder.reference(self._shape)
@@ -200,19 +217,32 @@ class SweepPanel:
         analysis = recorder.active_analysis(self._shape.Document)
         if analysis:
             arguments.append(f"analysis={recorder.reference(analysis)}")
-        lines = [f"mesh = sweepmesh.app.make_sweep_mesh({', '.join(arguments)})", f"{shape}.Visibility = False"]
+        lines = [f"mesh = sweepmesh.app.make_sweep_mesh({', '.join(arguments)})"]
+        if preferences.hide_solid():
+            lines.append(f"{shape}.Visibility = False")
         return tr("Create sweep mesh"), lines
 
     # --- the end --------------------------------------------------------------------------------------
 
     def _close(self):
         """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
+        self._is_open = False
         FreeCAD.removeDocumentObserver(self)
         self._assessor.close()
         self._mesher.close(wait=STOP_SECONDS)
         self._faces.close()
-        self._overlay.remove()
-        QtCore.QTimer.singleShot(0, _leave_edit_and_close)
+        self._previews.close()
+        QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(self._document_name))
+
+    def slotChangedObject(self, obj, name):
+        """FreeCAD calls this when a property changed: another shape needs other drawings and a new verdict."""
+        if obj == self._shape and name == "Shape" and not self._mesher.is_running():
+            QtCore.QTimer.singleShot(0, self._shape_changed)
+
+    def _shape_changed(self):
+        if self._is_open:
+            self._previews.rebuild()
+            self.assess()
 
     def slotDeletedDocument(self, document):
         """FreeCAD calls this when a document is about to be closed."""
@@ -225,10 +255,11 @@ class SweepPanel:
             self._close()
 
 
-def _leave_edit_and_close():
-    document = FreeCADGui.activeDocument()
-    if document and document.getInEdit():
-        document.resetEdit()
+def _leave_edit_and_close(document_name):
+    if document_name in FreeCAD.listDocuments():
+        document = FreeCADGui.getDocument(document_name)
+        if document.getInEdit():
+            document.resetEdit()
     FreeCADGui.Control.closeDialog()
 
 
@@ -248,5 +279,6 @@ def _scheme_text(scheme):
 
 def _changes(options, settings):
     """Return the settings that differ from `options`."""
-    old = {**vars(options), "sources": _names(options.sources), "targets": _names(options.targets)}
+    faces = {"sources": _names(options.sources), "targets": _names(options.targets)}
+    old = {**vars(options), **faces, "pairs": [tuple(_names(pair)) for pair in options.pairs]}
     return {name: value for name, value in settings.items() if value != old[name]}

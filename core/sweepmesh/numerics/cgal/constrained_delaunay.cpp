@@ -18,13 +18,16 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_tag>;
 
 [[noreturn]] void refuse_crossing() {
-  throw InputError("surface", "The boundary loops of a face touch or cross; choose a smaller element size.");
+  throw InputError("surface",
+                   "The boundary loops of a face touch or cross; choose a smaller element size.");
 }
 
-Triangulation triangulated(const std::vector<Point2>& points, const std::vector<std::vector<int>>& loops) {
+Triangulation triangulated(const std::vector<Point2>& points,
+                           const std::vector<std::vector<int>>& loops) {
   Triangulation t;
   std::vector<Triangulation::Vertex_handle> vertex(points.size());
   Triangulation::Face_handle hint;

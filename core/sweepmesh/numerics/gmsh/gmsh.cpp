@@ -113,8 +113,9 @@ class Reader {
 GmshMesh mesh_by_gmsh(const Loops& loops, const GmshOptions& options, const Context& context) {
   const TemporaryDirectory directory;
   write_geo(directory.path() / "cap.geo", loops, options);
-  const int status = run_process({"gmsh", "-2", "-nt", "1", "-format", "msh2", "-o", "cap.msh", "cap.geo"},
-                                 directory.path(), context);
+  const int status =
+      run_process({"gmsh", "-2", "-nt", "1", "-format", "msh2", "-o", "cap.msh", "cap.geo"},
+                  directory.path(), context);
   std::size_t n_boundary = 0;
   for (const auto& loop : loops) n_boundary += loop.size();
   GmshMesh mesh = Reader(directory.path() / "cap.msh").read(n_boundary);

@@ -14,20 +14,23 @@ enum class GmshAlgorithm { delaunay = 5, frontal = 6, parallelograms = 9 };
 
 struct GmshOptions {
   GmshAlgorithm algorithm = GmshAlgorithm::frontal;
-  bool recombine = true;     ///< pairs triangles to quads by a perfect matching where one is found (Blossom)
-  double size_factor = 1.0;  ///< interior edge lengths are those of the boundary, carried inside, times this
-  double size_max = 0.0;     ///< longest interior edge; 0: no limit
+  bool recombine =
+      true;  ///< pairs triangles to quads by a perfect matching where one is found (Blossom)
+  double size_factor =
+      1.0;  ///< interior edge lengths are those of the boundary, carried inside, times this
+  double size_max = 0.0;  ///< longest interior edge; 0: no limit
 };
 
-/// Cells counterclockwise; `nodes[3]` is -1 for a triangle. The loops' points come first, in their order.
+/// Cells counterclockwise; `nodes[3]` is -1 for a triangle. The loops' points come first, in their
+/// order.
 struct GmshMesh {
   std::vector<Point2> points;
   std::vector<std::array<int, 4>> cells;
 };
 
-/// Meshes the domain left of the loops (outer counterclockwise, holes clockwise); each loop segment stays one
-/// mesh edge. Throws SolverError when Gmsh is missing, crashes or leaves no mesh. Deterministic.
-/// Cost: some 50 ms to start, then about 20 thousand cells a second.
+/// Meshes the domain left of the loops (outer counterclockwise, holes clockwise); each loop segment
+/// stays one mesh edge. Throws SolverError when Gmsh is missing, crashes or leaves no mesh.
+/// Deterministic. Cost: some 50 ms to start, then about 20 thousand cells a second.
 GmshMesh mesh_by_gmsh(const std::vector<std::vector<Point2>>& loops, const GmshOptions& options,
                       const Context& context);
 

@@ -23,10 +23,10 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-/// Runs `arguments[0]` (looked up on PATH) in `directory`, which is also its home, so that no settings of
-/// the user are read; what it prints goes to "log.txt" there. Gives its exit status; -1 where a signal ended
-/// it. When the context is cancelled the child is killed and Cancelled thrown. Throws SolverError when the
-/// program cannot be started.
+/// Runs `arguments[0]` (looked up on PATH) in `directory`, which is also its home, so that no
+/// settings of the user are read; what it prints goes to "log.txt" there. Gives its exit status; -1
+/// where a signal ended it. When the context is cancelled the child is killed and Cancelled thrown.
+/// Throws SolverError when the program cannot be started.
 int run_process(const std::vector<std::string>& arguments, const std::filesystem::path& directory,
                 const Context& context);
 

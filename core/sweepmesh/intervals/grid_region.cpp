@@ -1,4 +1,4 @@
-#include "sweepmesh/surface/submap_region.h"
+#include "sweepmesh/intervals/grid_region.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,37 @@
+// Linking faces as panels: pieces with one curve below and one above.
+#pragma once
+
+#include <vector>
+
+#include "sweepmesh/imprint/imprint.h"
+#include "sweepmesh/imprint/reference.h"
+#include "sweepmesh/imprint/walls.h"
+#include "sweepmesh/model/model.h"
+#include "sweepmesh/scheme/scheme.h"
+
+namespace sweepmesh {
+
+/// `bottom[i]` and `top[i]` are the ends of one column, seen along the sweep; the solid is on the left
+/// of both lines.
+struct Panel {
+  FaceId face;
+  int low, high;  ///< levels
+  Polyline bottom, top;
+
+  /// The curve between, at `share` of the height.
+  Polyline at(double share) const {
+    Polyline out = bottom;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += share * (top[i] - bottom[i]);
+    return out;
+  }
+};
+
+/// Of all linking faces; `curve` are the edges' curves as seen along the sweep. A face whose lower and
+/// upper edges lie over each other may have any profile; it is cut where its edges begin and end.
+/// Another face must have one chain of edges below and one above: columns join the places where the
+/// same part of both lengths has passed. Throws ImprintError (unreachable) naming a face that is
+/// neither.
+std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
+                               const Reference& seen);
+
+}  // namespace sweepmesh

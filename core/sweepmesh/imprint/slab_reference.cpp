@@ -1,0 +1,306 @@
+#include "sweepmesh/imprint/slab_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "sweepmesh/imprint/mean_value_field.h"
+#include "sweepmesh/imprint/section_map.h"
+
+namespace sweepmesh {
+namespace {
+
+class SlabWalker {
+ public:
+  SlabWalker(const Model& model, const Scheme& scheme, const Walls& walls, const Point3& direction,
+             const Reference& seen, double size, const Context& context)
+      : model_(model),
+        walls_(walls),
+        direction_(direction),
+        seen_(seen),
+        size_(size),
+        context_(context),
+        panels_(find_panels(model, scheme, walls, seen)),
+        in_r_(panels_.size()),
+        out_(seen) {}
+
+  Reference run() {
+    find_heights();
+    const int n = static_cast<int>(height_.size());
+    const int base = base_level();
+    for (std::size_t p = 0; p < panels_.size(); ++p)
+      if (panels_[p].low <= base && base <= panels_[p].high) in_r_[p] = seen_at(panels_[p], base);
+    for (std::size_t c = 0; c < out_.curves.size(); ++c)
+      is_known_.push_back(walls_.level[out_.curves[c].edge.index] == base);
+    for (int f = 0; f < model_.n_faces(); ++f)
+      is_upright_.push_back(is_upright(walls_, seen_, FaceId{f}));
+    for (int level = base + 1; level < n; ++level) carry(level - 1, level, level);
+    for (int level = base - 1; level >= 0; --level) carry(level, level + 1, level);
+    for (const ReferenceCurve& c : out_.curves) {
+      out_.vertex[model_.start(c.edge).index] = c.points.front();
+      out_.vertex[model_.end(c.edge).index] = c.points.back();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  /// Mean height of every level; levels are numbered without gaps.
+  void find_heights() {
+    std::map<int, std::pair<double, int>> sums;
+    for (const EdgeId e : walls_.edges) {
+      auto& [sum, n] = sums[walls_.level[e.index]];
+      sum += direction_.dot(model_.point(model_.start(e)));
+      ++n;
+    }
+    for (const auto& [level, sum] : sums) height_[level] = sum.first / sum.second;
+    for (std::size_t i = 0; i < walls_.vertex_level.size(); ++i)
+      if (const int l = walls_.vertex_level[i]; l >= 0 && !height_.contains(l))
+        height_[l] = direction_.dot(model_.point(VertexId{i}));
+  }
+
+  Polyline seen_at(const Panel& p, int level) const { return seen_at_height(p, height_.at(level)); }
+
+  Polyline seen_at_height(const Panel& p, double height) const {
+    const double low = height_.at(p.low), high = height_.at(p.high);
+    return p.at(std::clamp((height - low) / (high - low), 0.0, 1.0));
+  }
+
+  /// The lower level of the slab with the largest section.
+  int base_level() const {
+    int best = 0;
+    double most = 0.0;
+    for (int level = 0; level + 1 < static_cast<int>(height_.size()); ++level) {
+      MeanValueField outline(seen_.coincidence);
+      for (const Panel& p : panels_)
+        if (p.low <= level && level + 1 <= p.high) outline.add(seen_at(p, level), seen_at(p, level));
+      if (outline.double_area() > most) {
+        most = outline.double_area();
+        best = level;
+      }
+    }
+    return best;
+  }
+
+  /// Brings the curves of a level to R by the outline of the slab between low and high.
+  void carry(int low, int high, int level) {
+    context_.check("imprint");
+    const auto parts = outline(low, high, [&](std::size_t p) {
+      return OutlinePart{seen_at(panels_[p], level), in_r_[p]};
+    });
+    MeanValueField field(seen_.coincidence);
+    for (const OutlinePart& part : parts) field.add(part.from, part.to);
+    std::vector<ReferenceCurve*> curves;
+    for (ReferenceCurve& c : out_.curves)
+      if (walls_.level[c.edge.index] == level) {
+        refine(parts, c);
+        curves.push_back(&c);
+      }
+    move(low, high, level, parts, field, curves);
+    for (std::size_t p = 0; p < panels_.size(); ++p)
+      if (level == high ? panels_[p].low == level : panels_[p].high == level)
+        start_panel(p, level);
+  }
+
+  /// Adds points where the outline has some, so that both bend alike in R.
+  void refine(const std::vector<OutlinePart>& parts, ReferenceCurve& c) const {
+    std::set<double> positions;
+    for (const PolylinePoint& p : resampled(c.points, size_ / 2)) positions.insert(p.position);
+    for (const OutlinePart& part : parts)
+      for (const Point2& x : part.from) {
+        const PolylinePoint foot = nearest(c.points, x);
+        if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
+      }
+    ReferenceCurve fine{c.edge, {}, {}};
+    for (const double at : positions) {
+      const std::size_t i = std::min(static_cast<std::size_t>(at), c.points.size() - 2);
+      fine.points.push_back(at_position(c.points, at).point);
+      fine.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
+    }
+    c = std::move(fine);
+  }
+
+  /// Points on the outline, and outside of it, move with the field; those inside by the section's map.
+  void move(int low, int high, int level, const std::vector<OutlinePart>& parts,
+            const MeanValueField& field, const std::vector<ReferenceCurve*>& curves) {
+    const auto loops = joined_loops(parts, 2 * seen_.coincidence);
+    std::map<std::pair<double, double>, Point2> image;
+    std::vector<Point2> inside;
+    const bool is_fixed = largest_move(parts) <= seen_.coincidence;
+    for (const ReferenceCurve* c : curves)
+      for (const Point2& p : c->points) {
+        const auto [place, is_new] = image.try_emplace({p.x(), p.y()}, p);
+        if (!is_new) continue;
+        if (const auto known = over_known_edges(c->edge, p))
+          place->second = *known;
+        else if (!is_fixed && field.distance(p) > seen_.coincidence && is_inside(loops, p))
+          inside.push_back(p);
+        else
+          place->second = field(p);
+      }
+    if (!inside.empty()) {
+      const std::vector<Point2> carried = carried_through(low, high, level, inside);
+      for (std::size_t i = 0; i < inside.size(); ++i)
+        image[{inside[i].x(), inside[i].y()}] = carried[i];
+    }
+    for (ReferenceCurve* c : curves) {
+      for (Point2& p : c->points) p = image.at({p.x(), p.y()});
+      is_known_[c - out_.curves.data()] = true;
+    }
+  }
+
+  /// R at a place of an edge of an upright linking face, where another edge of that face lies over it
+  /// and is known: what is between them need not be solid.
+  std::optional<Point2> over_known_edges(EdgeId e, const Point2& x) const {
+    std::vector<std::size_t> curves;
+    for (const FaceId f : {walls_.above[e.index], walls_.below[e.index]}) {
+      if (!f.is_valid() || !is_upright_[f.index]) continue;
+      for (std::size_t c = 0; c < out_.curves.size(); ++c) {
+        const EdgeId other = out_.curves[c].edge;
+        if (is_known_[c] && (walls_.above[other.index] == f || walls_.below[other.index] == f) &&
+            nearest(seen_.curves[c].points, x).distance <= seen_.coincidence)
+          curves.push_back(c);
+      }
+    }
+    if (curves.empty()) return std::nullopt;
+    return along_edges(curves, x);
+  }
+
+  static double largest_move(const std::vector<OutlinePart>& parts) {
+    double most = 0.0;
+    for (const OutlinePart& part : parts)
+      for (std::size_t i = 0; i < part.from.size(); ++i)
+        most = std::max(most, (part.from[i] - part.to[i]).norm());
+    return most;
+  }
+
+  /// Carries points inside the section at `level` to R: through the slab to its other end, and from
+  /// there. In few steps if possible, or in smaller ones, in which the section keeps its shape nearly.
+  std::vector<Point2> carried_through(int low, int high, int level,
+                                      const std::vector<Point2>& points) const {
+    constexpr int most_steps = 16;
+    for (int n = 1;; n *= 2) try {
+        return carried_in_steps(low, high, level, n, points);
+      } catch (const InvalidMeshError& e) {
+        if (n >= most_steps) throw_unreachable(low, high, e);
+      } catch (const InputError& e) {
+        throw_unreachable(low, high, e);
+      }
+  }
+
+  std::vector<Point2> carried_in_steps(int low, int high, int level, int n,
+                                       std::vector<Point2> points) const {
+    const double from = height_.at(level), to = height_.at(level == high ? low : high);
+    for (int i = 0; i <= n; ++i) {
+      const double here = from + (to - from) * i / n, there = from + (to - from) * (i + 1) / n;
+      const auto parts = outline(low, high, [&](std::size_t p) {
+        return OutlinePart{seen_at_height(panels_[p], here),
+                           i < n ? seen_at_height(panels_[p], there) : in_r_[p]};
+      });
+      if (largest_move(parts) > seen_.coincidence)
+        points = carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_, context_);
+    }
+    return points;
+  }
+
+  [[noreturn]] void throw_unreachable(int low, int high, const Error& e) const {
+    std::set<std::string> names;
+    for (const Panel& p : panels_)
+      if (p.low <= low && high <= p.high) names.insert(name_of(p.face));
+    throw ImprintError(ImprintFailure::unreachable,
+                       std::string("Curves between these linking faces cannot be carried from one "
+                                   "level to another: ") +
+                           e.what(),
+                       {names.begin(), names.end()});
+  }
+
+  /// A part of the slab's outline for each panel of it.
+  template <class MakePart>
+  std::vector<OutlinePart> outline(int low, int high, const MakePart& make) const {
+    std::vector<OutlinePart> parts;
+    for (std::size_t p = 0; p < panels_.size(); ++p)
+      if (panels_[p].low <= low && high <= panels_[p].high) parts.push_back(make(p));
+    return parts;
+  }
+
+  /// A panel that begins at a level whose edges are known: takes R from these edges, and bends where
+  /// they bend.
+  void start_panel(std::size_t p, int level) {
+    Panel& panel = panels_[p];
+    std::vector<std::size_t> curves;
+    const auto& edges = (level == panel.low ? walls_.bottoms : walls_.tops)[panel.face.index];
+    for (std::size_t c = 0; c < out_.curves.size(); ++c) {
+      const EdgeId e = out_.curves[c].edge;
+      if (walls_.level[e.index] == level && std::find(edges.begin(), edges.end(), e) != edges.end())
+        curves.push_back(c);
+    }
+    const Polyline line = seen_at(panel, level);
+    std::set<double> positions;
+    for (std::size_t i = 0; i < line.size(); ++i) positions.insert(static_cast<double>(i));
+    for (const std::size_t c : curves)
+      for (const double t : out_.curves[c].t) {
+        const PolylinePoint foot = nearest(line, at_parameter(seen_.curves[c], t));
+        if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
+      }
+    Polyline bottom, top;
+    in_r_[p].clear();
+    for (const double at : positions) {
+      bottom.push_back(at_position(panel.bottom, at).point);
+      top.push_back(at_position(panel.top, at).point);
+      in_r_[p].push_back(along_edges(curves, at_position(line, at).point));
+    }
+    panel.bottom = std::move(bottom);
+    panel.top = std::move(top);
+  }
+
+  /// R at a place that lies on one of the curves as they are seen.
+  Point2 along_edges(const std::vector<std::size_t>& curves, const Point2& x) const {
+    double least = std::numeric_limits<double>::infinity();
+    Point2 best = x;
+    for (const std::size_t c : curves) {
+      // Both lines have the same parameters: find the place on the one, take it from the other.
+      const ReferenceCurve& before = seen_.curves[c];
+      const PolylinePoint foot = nearest(before.points, x);
+      if (foot.distance >= least) continue;
+      least = foot.distance;
+      best = at_parameter(out_.curves[c], parameter_at(before, foot.position));
+    }
+    return best;
+  }
+
+  static double parameter_at(const ReferenceCurve& c, double position) {
+    const std::size_t i = std::min(static_cast<std::size_t>(position), c.t.size() - 2);
+    return c.t[i] + (position - i) * (c.t[i + 1] - c.t[i]);
+  }
+
+  static Point2 at_parameter(const ReferenceCurve& c, double t) {
+    const auto upper = std::upper_bound(c.t.begin() + 1, c.t.end() - 1, t);
+    const std::size_t i = upper - c.t.begin() - 1;
+    const double f = std::clamp((t - c.t[i]) / (c.t[i + 1] - c.t[i]), 0.0, 1.0);
+    return c.points[i] + f * (c.points[i + 1] - c.points[i]);
+  }
+
+  const Model& model_;
+  const Walls& walls_;
+  const Point3 direction_;
+  const Reference& seen_;
+  const double size_;
+  const Context& context_;
+  std::vector<Panel> panels_;
+  std::vector<Polyline> in_r_;  ///< by panel, once known
+  std::vector<char> is_known_;    ///< by curve: it is in R
+  std::vector<char> is_upright_;  ///< by FaceId
+  std::map<int, double> height_;
+  Reference out_;
+};
+
+}  // namespace
+
+Reference slab_reference(const Model& model, const Scheme& scheme, const Walls& walls,
+                         const Point3& direction, const Reference& seen, double size,
+                         const Context& context) {
+  return SlabWalker(model, scheme, walls, direction, seen, size, context).run();
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,24 @@
+// Shapes of several solids: each is swept by itself, and their meshes are put side by side.
+#pragma once
+
+#include <vector>
+
+#include "sweepmesh/sweep.h"
+
+namespace sweepmesh {
+
+/// The solids of a shape, in the order of their numbers.
+std::vector<Model> solids_of(const Model& model);
+
+/// Sweeps every solid; picks go to the solid that has the face (InputError where none has it). One
+/// size for all: where none is given, the default size of the smallest solid. The result is that of
+/// one shape: the best schemes merged into one, meshes one after the other. Meshes of solids that
+/// touch share no nodes; a warning says so. If one solid cannot be swept, the verdict is that, its
+/// reasons name it, and no mesh is made. One solid: the same as sweep().
+SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
+                         const SweepOptions& options, Context& context);
+
+/// The verdict alone.
+Assessment assess_solids(const std::vector<Model>& solids, const Picks& picks, Context& context);
+
+}  // namespace sweepmesh
