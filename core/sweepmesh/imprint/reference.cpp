@@ -39,6 +39,7 @@ class Sampler {
       const double b = first + (last - first) * (i + 1) / n_parts;
       refine(a, at(a), b, at(b), 0);
     }
+    out_.t.back() = last;
     if (model_.start(edge_) == model_.end(edge_)) out_.points.back() = out_.points.front();
     if (is_straight()) {
       out_.points = {out_.points.front(), out_.points.back()};

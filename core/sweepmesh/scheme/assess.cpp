@@ -171,10 +171,12 @@ class Assessor {
     for (const auto& [id, states] : chosen_) index_of(problem_, id);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
+    context_.report(0.2, "Looking for sources and targets.");
     const auto fixed = fixed_corners(problem_, picks_.types);
     const Network strict = make_network(problem_, strict_limits(), fixed);
     if (auto found = try_with(strict, chosen_)) return *found;
     if (opposed_) return {{}, {*opposed_}};
+    context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
     if (!chosen_.empty() || !fixed.empty())
       if (auto found = try_with(lenient, chosen_)) return *found;

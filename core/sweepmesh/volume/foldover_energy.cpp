@@ -124,13 +124,14 @@ class Memory {
 
 /// One round: up to max_steps steps with one eps. Returns the energy.
 double descend(const UnfoldProblem& problem, const FirstMatrix& first, double eps,
-               const UnfoldOptions& options, Points& x) {
+               const UnfoldOptions& options, const Context& context, Points& x) {
   constexpr double sufficient = 1e-4;  // Armijo's constant
   constexpr int max_halvings = 30;
   Points gradient(problem.n_free, 3), next_gradient(problem.n_free, 3);
   double energy = foldover_energy(problem, x, eps, options.volume_weight, &gradient);
   Memory memory;
   for (int step = 0; step < options.max_steps; ++step) {
+    context.check("place");
     Points direction = memory.direction(gradient, first);
     keep_in_planes(problem, direction);
     double slope = product(gradient, direction);
@@ -186,7 +187,8 @@ double least_determinant(const UnfoldProblem& problem, const Points& x) {
   return least;
 }
 
-double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options) {
+double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options,
+                         const Context& context) {
   constexpr double smallest_eps = 1e-6;
   const FirstMatrix first(problem);
   constexpr int most_idle = 3;  // rounds that unfold nothing more
@@ -196,7 +198,7 @@ double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOp
     // The schedule of the paper's listing: eps follows the worst determinant down.
     const double folded = std::min(least, 0.0);
     const double eps = std::sqrt(smallest_eps * smallest_eps + 0.04 * folded * folded);
-    const double energy = descend(problem, first, eps, options, x);
+    const double energy = descend(problem, first, eps, options, context, x);
     const double before = least;
     least = least_determinant(problem, x);
     const bool has_settled =

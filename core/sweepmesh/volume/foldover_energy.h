@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "sweepmesh/base/context.h"
 #include "sweepmesh/base/geometry.h"
 
 namespace sweepmesh {
@@ -52,6 +53,8 @@ double least_determinant(const UnfoldProblem& problem, const Points& x);
 /// quadratic form sum tr(J^T J), so that the number of steps hardly grows with the patch.
 /// Deterministic. Returns the least det J that was reached. Cost of a step: linear in the corners,
 /// plus one back substitution.
-double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options);
+/// Throws Cancelled between two steps.
+double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options,
+                         const Context& context);
 
 }  // namespace sweepmesh

@@ -208,13 +208,13 @@ Worth worth_of(const Extrusion& x, const ElementIndex& index, const Points& poin
 }
 
 void mend(const Extrusion& x, const BaseMetric& metric, const ElementIndex& index,
-          const Patch& patch, const UntangleOptions& options, Points& points) {
+          const Patch& patch, const UntangleOptions& options, const Context& context, Points& points) {
   if (patch.free_nodes.empty()) return;
   const IdealElement ideal(x, metric, points);
   PatchProblem local(patch, index, ideal, options.sliding, points);
   const Points before = local.x.topRows(local.problem.n_free);
   const Worth old_worth = worth_of(x, index, points, patch.elements, options.threshold);
-  minimise_foldover(local.problem, local.x, options.energy);
+  minimise_foldover(local.problem, local.x, options.energy, context);
   const auto put = [&](const Points& rows) {
     for (int i = 0; i < local.problem.n_free; ++i) points.row(patch.free_nodes[i]) = rows.row(i);
   };
@@ -245,8 +245,7 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
     if (size == last_size) break;  // rings have reached the ends of the mesh
     last_size = size;
     team.for_chunks(static_cast<long>(patches.size()), 1, [&](long p, long, long) {
-      context.check("place");
-      mend(extrusion, metric, index, patches[p], options, points);
+      mend(extrusion, metric, index, patches[p], options, context, points);
     });
     Numbers remaining;
     report.n_moved = 0;

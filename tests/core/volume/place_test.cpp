@@ -258,6 +258,19 @@ TEST(PlaceInterior, FixedNodesInsideStayAndAreFollowed) {
   EXPECT_LT(points(node + 1, 2), solid.exact(node + 1, 2) + 0.5);
 }
 
+TEST(PlaceInterior, HearsACancel) {
+  const Solid solid = make_solid(make_square_with_hole(12, 4), 6, moving_hole(0.3, 1.0, 0.1));
+  for (const PlacementMethod method :
+       {PlacementMethod::harmonic_residual, PlacementMethod::mean_value, PlacementMethod::boundary_error}) {
+    Points points = solid.input();
+    PlacementOptions options;
+    options.method = method;
+    Context context;
+    context.cancel();
+    EXPECT_THROW(place_interior(solid.extrusion, solid.fixed, points, options, context), Cancelled);
+  }
+}
+
 TEST(PlaceInterior, RefusesRunsWithoutEnds) {
   Solid solid = make_solid(make_grid(3, 3), 4, affine_motions()[0].map);
   solid.fixed[solid.extrusion.node(5, 4)] = 0;
