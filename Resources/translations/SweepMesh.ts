@@ -136,6 +136,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>The mesh has no shape: set its property Shape first.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The object whose solid is meshed</source>
       <translation type="unfinished" />
     </message>
@@ -169,6 +173,10 @@
     </message>
     <message>
       <source>What the mesh is made of</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Which solid of the shape is meshed; 0: all of them</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -349,6 +357,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Pair</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Pick</source>
       <translation type="unfinished" />
     </message>
@@ -405,6 +417,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Sweep the marked sources to the marked target</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Take the marked faces out of the lists</source>
       <translation type="unfinished" />
     </message>
@@ -418,6 +434,10 @@
     </message>
     <message>
       <source>What the mesh is made of</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Which source is swept to which target, as prescribed</source>
       <translation type="unfinished" />
     </message>
     <message>

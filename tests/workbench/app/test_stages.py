@@ -70,6 +70,8 @@ def test_a_shape_of_two_solids_becomes_one_mesh(document):
     assert mesh.isValid() and mesh.FemMesh.HexaCount == 64 + 32
     names = [mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups]
     assert "Face1" in names and "Face12" in names
+    app.update_sweep_mesh(mesh, solid=2)
+    assert mesh.Solid == 2 and mesh.FemMesh.HexaCount == 32
 
 
 def test_a_shape_without_a_solid_is_told(document):

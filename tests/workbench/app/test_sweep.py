@@ -6,7 +6,7 @@ import pytest
 
 from sweepmesh import app, engine
 from sweepmesh.app.kept_meshes import KeptMeshes
-from sweepmesh.app.objects.sweep import TABLE, Sweep
+from sweepmesh.app.objects.sweep import TABLE, Sweep, options_of
 
 
 def reopened(document, tmp_path):
@@ -173,6 +173,14 @@ def test_kept_meshes_are_let_go_oldest_first():
     for key, n_nodes in (("a", 4), ("b", 5), ("c", 4)):
         kept.keep(key, types.SimpleNamespace(NodeCount=n_nodes))
     assert kept.get("a") is None and kept.get("b").NodeCount == 5 and kept.get("c").NodeCount == 4
+
+
+def test_every_option_has_a_property_and_comes_back(box):
+    picks = {"sources": [6], "targets": [5], "pairs": [(6, 5)], "solid": 1}
+    options = engine.Options(size=1.0, layers=2, order=2, max_elements=999, **picks)
+    mesh = app.make_sweep_mesh(box, options)
+    assert mesh.isValid(), mesh.Message
+    assert options_of(mesh) == options
 
 
 def test_every_property_has_a_text_and_a_group(sweep):

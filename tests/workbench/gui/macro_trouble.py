@@ -7,8 +7,8 @@ sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
 from driver import (
-    LEFT, NO_KEY, OUT, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle, show_all,
-    tool_button, type_into, wait_for, widget,
+    LEFT, NO_KEY, OUT, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle,
+    show_all, tool_button, type_into, wait_for, widget,
 )
 from PySide import QtCore
 
@@ -22,6 +22,8 @@ def steps():
     a_shape_deleted_while_meshing()
     a_document_closed_while_meshing()
     a_shape_edited_while_meshing()
+    a_shape_edited_while_the_panel_is_open()
+    broken_links_can_be_edited()
     save_close_reopen_edit()
     another_document_becomes_active()
 
@@ -145,6 +147,40 @@ def a_shape_edited_while_meshing():
     finish(document)
 
 
+def a_shape_edited_while_the_panel_is_open():
+    document, brick = new_brick()
+    open_panel(brick)
+    wait_for(lambda: rows("sources"))
+    brick.Length = 40
+    document.recompute()
+    check("the verdict comes anew", wait_for(lambda: "can be swept" in widget("verdict").text(), 10))
+    show_all()
+    picture("05_edited")
+    finish(document)
+
+
+def broken_links_can_be_edited():
+    document, brick = new_brick()
+    open_panel(brick)
+    wait_for(lambda: rows("sources"))
+    type_into("meshSize", "2 mm")
+    press(panel_button("OK"))
+    wait_for(lambda: not is_panel_open(), 60)
+    mesh = document.SweepMesh
+    other = document.addObject("Part::Box", "Other")
+    mesh.Sources = (other, ["Face1"])
+    FreeCADGui.ActiveDocument.setEdit(mesh.Name)
+    check("a mesh with wrong links can be edited", wait_for(lambda: rows("sources")))
+    press(panel_button("OK"))
+    wait_for(lambda: not is_panel_open(), 60)
+    check("which puts them right", mesh.isValid() and mesh.Sources[0] == brick)
+    mesh.Shape = None
+    FreeCADGui.ActiveDocument.setEdit(mesh.Name)
+    settle()
+    check("one without a shape is not edited", not is_panel_open())
+    finish(document)
+
+
 def save_close_reopen_edit():
     document, brick = new_brick()
     open_panel(brick)
@@ -166,7 +202,7 @@ def save_close_reopen_edit():
     press(panel_button("OK"))
     wait_for(lambda: not is_panel_open(), 60)
     check("and meshed again", mesh.Layers == 6 and mesh.FemMesh.HexaCount == 6 * 5 * 4)
-    picture("05_reopened")
+    picture("06_reopened")
     finish(document)
 
 

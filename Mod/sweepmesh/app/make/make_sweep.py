@@ -1,8 +1,15 @@
 """Make a sweep mesh in a document, and change it."""
-import FreeCAD
-
-from sweepmesh.app.objects.sweep import ORDERS, Sweep, options_of
+from sweepmesh.app.objects.sweep import ORDERS, Sweep
 from sweepmesh.app.stages import options_for
+from sweepmesh.app.views import attach_view
+
+_PROPERTIES = {
+    "size": "Size",
+    "layers": "Layers",
+    "element": "Element",
+    "solid": "Solid",
+    "max_elements": "MaxElements",
+}
 
 
 def make_sweep_mesh(shape_object, options=None, analysis=None, name="SweepMesh", **settings):
@@ -21,32 +28,33 @@ def make_sweep_mesh(shape_object, options=None, analysis=None, name="SweepMesh",
     set_options(obj, shape_object, options)
     if analysis is not None:
         analysis.addObject(obj)
-    if FreeCAD.GuiUp:
-        from sweepmesh.gui.viewproviders.view_sweep import ViewSweep
-
-        ViewSweep(obj.ViewObject)
+    attach_view("Sweep", obj)
     obj.Document.recompute([obj])
     return obj
 
 
 def update_sweep_mesh(obj, **settings):
     """Change settings of a mesh object (those given, see `mesh`) and compute it."""
-    options = options_of(obj)
-    for name, value in vars(options_for(obj.Shape, **settings)).items():
-        if name in settings:
-            setattr(options, name, value)
-    set_options(obj, obj.Shape, options)
+    options = options_for(obj.Shape, **settings)
+    for name in settings:
+        set_option(obj, name, getattr(options, name))
     obj.Document.recompute([obj])
 
 
 def set_options(obj, shape_object, options):
     """Set the properties of a mesh object to `options` for the solid of `shape_object`."""
     obj.Shape = shape_object
-    obj.Sources = (shape_object, [f"Face{number}" for number in options.sources])
-    obj.Targets = (shape_object, [f"Face{number}" for number in options.targets])
-    obj.Pairs = [f"Face{source}=Face{target}" for source, target in options.pairs]
-    obj.Size = options.size or 0.0
-    obj.Layers = options.layers or 0
-    obj.Element = options.element
-    obj.Order = ORDERS[options.order - 1]
-    obj.MaxElements = options.max_elements or 0
+    for name, value in vars(options).items():
+        set_option(obj, name, value)
+
+
+def set_option(obj, name, value):
+    """Set the property for one of the engine's options. Threads are no property: they change no mesh."""
+    if name in ("sources", "targets"):
+        setattr(obj, name.capitalize(), (obj.Shape, [f"Face{number}" for number in value]))
+    elif name == "pairs":
+        obj.Pairs = [f"Face{source}=Face{target}" for source, target in value]
+    elif name == "order":
+        obj.Order = ORDERS[value - 1]
+    elif name != "threads":
+        setattr(obj, _PROPERTIES[name], value or 0)

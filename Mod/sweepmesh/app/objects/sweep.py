@@ -1,13 +1,13 @@
 """The sweep mesh as a document object: settings, links to the shape and its faces, the mesh, the report."""
 from sweepmesh import engine
 from sweepmesh.app import preferences
-from sweepmesh.engine.errors import input_error
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.app.kept_meshes import KeptMeshes
 from sweepmesh.app.objects.base import EDITABLE, HIDDEN, READ_ONLY, Property, Proxy, in_group
 from sweepmesh.app.progress import ProgressBar
 from sweepmesh.app.remembered import fingerprint, take
 from sweepmesh.app.shapes import brep_of
+from sweepmesh.engine.errors import input_error
 
 ELEMENTS = ("hex", "prism", "polyhedron")
 ORDERS = ("1st", "2nd")
@@ -21,6 +21,12 @@ TABLE = (
         Property("App::PropertyLinkSub", "Sources", "Faces that the mesh is swept from; empty: found"),
         Property("App::PropertyLinkSub", "Targets", "Faces that the sweep ends on; empty: found"),
         Property("App::PropertyStringList", "Pairs", "Which source is swept to which target: Face5=Face6"),
+        Property(
+            "App::PropertyIntegerConstraint",
+            "Solid",
+            "Which solid of the shape is meshed; 0: all of them",
+            (0, 0, 2**31 - 1, 1),
+        ),
         Property("App::PropertyLink", "Part", "The shape, under the name that older FreeCADs look for", mode=HIDDEN),
     ),
     *in_group(
@@ -124,6 +130,7 @@ def options_of(obj):
     options.sources = face_numbers(obj, "Sources")
     options.targets = face_numbers(obj, "Targets")
     options.pairs = [_pair(text) for text in obj.Pairs]
+    options.solid = obj.Solid or None
     if obj.MaxElements:
         options.max_elements = obj.MaxElements
     return options

@@ -25,25 +25,30 @@ class FaceLists(QtCore.QObject):
         self._lists = {"source": form.sources, "target": form.targets}
         self._buttons = {"source": form.pickSources, "target": form.pickTargets}
         self._is_selecting = False
+        self._pair_rows = form.pairs
         self.picks = {role: [] for role in ROLES}
+        self.pairs = []
         for role in ROLES:
             self._buttons[role].toggled.connect(lambda down, role=role: self._set_picking(role, down))
-            self._lists[role].itemSelectionChanged.connect(lambda role=role: self._select_rows(role))
+            self._lists[role].itemSelectionChanged.connect(self._select_rows)
         form.removeFaces.clicked.connect(self._remove_rows)
         form.swapFaces.clicked.connect(self.swap)
+        form.pairFaces.clicked.connect(self._pair_rows_marked)
         FreeCADGui.Selection.addObserver(self)
 
     def close(self):
         FreeCADGui.Selection.removeObserver(self)
         FreeCADGui.Selection.removeSelectionGate()
 
-    def set_picks(self, sources, targets):
-        """Replace all picks by names of faces."""
+    def set_picks(self, sources, targets, pairs=()):
+        """Replace all picks by names of faces, and all prescribed pairs (source, target)."""
         self.picks = {"source": list(sources), "target": list(targets)}
+        self.pairs = [tuple(pair) for pair in pairs]
         self.changed.emit()
 
     def swap(self):
-        self.set_picks(self._shown("target"), self._shown("source"))
+        pairs = [(target, source) for source, target in self.pairs]
+        self.set_picks(self._shown("target"), self._shown("source"), pairs)
 
     def show_roles(self, roles):
         """Fill the lists: the picks, then what `roles` adds to them."""
@@ -57,6 +62,9 @@ class FaceLists(QtCore.QObject):
             for name in found:
                 rows.addItem(_proposal(name))
             rows.blockSignals(False)
+        self._pair_rows.clear()
+        self._pair_rows.addItems([f"{source} \N{RIGHTWARDS ARROW} {target}" for source, target in self.pairs])
+        self._pair_rows.setVisible(bool(self.pairs))
 
     def toggle(self, role, name):
         """Pick a face for a role, or unpick it; a face has one role."""
@@ -64,6 +72,7 @@ class FaceLists(QtCore.QObject):
         for picked in self.picks.values():
             if name in picked:
                 picked.remove(name)
+        self.pairs = [pair for pair in self.pairs if name not in pair]
         if not is_picked:
             self.picks[role].append(name)
         self.changed.emit()
@@ -109,8 +118,8 @@ class FaceLists(QtCore.QObject):
         rows = self._lists[role]
         return [rows.item(i).text() for i in range(rows.count())]
 
-    def _select_rows(self, role):
-        names = [item.text() for item in self._lists[role].selectedItems()]
+    def _select_rows(self):
+        names = [name for each in ROLES for name in self._marked(each)]
         self._is_selecting = True
         FreeCADGui.Selection.clearSelection()
         for name in names:
@@ -124,11 +133,24 @@ class FaceLists(QtCore.QObject):
                 rows.item(i).setSelected(rows.item(i).text() == name)
             rows.blockSignals(False)
 
+    def _marked(self, role):
+        return [item.text() for item in self._lists[role].selectedItems()]
+
     def _remove_rows(self):
+        marked = {role: self._marked(role) for role in ROLES}
+        gone = {self._pair_rows.row(item) for item in self._pair_rows.selectedItems()}
         for role in ROLES:
-            chosen = [item.text() for item in self._lists[role].selectedItems()]
-            self.picks[role] = [name for name in self.picks[role] if name not in chosen]
+            self.picks[role] = [name for name in self.picks[role] if name not in marked[role]]
+        kept = [pair for i, pair in enumerate(self.pairs) if i not in gone]
+        self.pairs = [(s, t) for s, t in kept if s not in marked["source"] and t not in marked["target"]]
         self.changed.emit()
+
+    def _pair_rows_marked(self):
+        sources, targets = self._marked("source"), self._marked("target")
+        if sources and len(targets) == 1:
+            others = [pair for pair in self.pairs if pair[0] not in sources]
+            self.pairs = others + [(source, targets[0]) for source in sources]
+            self.changed.emit()
 
 
 def _proposal(name):

@@ -18,7 +18,7 @@ class Previews(QtCore.QObject):
 
     def __init__(self, form, obj, task):
         super().__init__()
-        self._form, self._task = form, task
+        self._form, self._obj, self._task = form, obj, task
         self._role_overlay, self._plan_overlay = RoleOverlay(obj), PlanOverlay(obj)
         self._roles, self._plan = {}, None
         self._planner = Runner()
@@ -41,6 +41,12 @@ class Previews(QtCore.QObject):
     def uncover(self, names):
         """Leave these faces to FreeCAD, which shows there what is selected."""
         self._role_overlay.uncover(names)
+
+    def rebuild(self):
+        """The shape has changed: take the drawings away and start with none."""
+        self._role_overlay.remove()
+        self._plan_overlay.remove()
+        self._role_overlay, self._plan_overlay = RoleOverlay(self._obj), PlanOverlay(self._obj)
 
     def update(self, *_):
         """Settings have changed: plan anew, soon."""

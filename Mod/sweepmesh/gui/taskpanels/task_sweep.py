@@ -36,6 +36,7 @@ class SweepPanel:
         self._assessor, self._mesher = Runner(), Runner()
         self._connect()
         self.load(faces)
+        self._is_open = True
         FreeCAD.addDocumentObserver(self)
 
     # --- settings -------------------------------------------------------------------------------------
@@ -45,16 +46,26 @@ class SweepPanel:
         form = self.form
         form.shapeName.setText(self._shape.Label)
         form.showRoles.setChecked(preferences.colour_faces())
-        options = options_of(self._mesh) if self._mesh else self._first_options()
+        stored = self._stored_options()
+        options = stored or self._first_options()
+        self._others = {name: getattr(options, name) for name in ("max_elements", "solid")}
         form.meshSize.setProperty("rawValue", options.size or 0.0)
         form.layerCount.setValue(options.layers or 0)
         form.elementKind.setCurrentIndex(ELEMENTS.index(options.element) if options.element in ELEMENTS else 0)
         form.elementOrder.setCurrentIndex(options.order - 1)
-        if self._mesh:
-            sources, targets = _names(options.sources), _names(options.targets)
+        if stored:
+            picks = _names(options.sources), _names(options.targets), [tuple(_names(pair)) for pair in options.pairs]
         else:
-            sources, targets = _split(faces)
-        self._faces.set_picks(sources, targets)
+            picks = _split(faces)
+        self._faces.set_picks(*picks)
+
+    def _stored_options(self):
+        """Return the options of the mesh object; None where there is none or its links lead nowhere."""
+        try:
+            return options_of(self._mesh) if self._mesh else None
+        except engine.SweepMeshError as error:
+            FreeCAD.Console.PrintWarning(f"{error}\n")
+            return None
 
     def _first_options(self):
         size = proposed_size(self._shape, preferences.wished_elements())
@@ -70,6 +81,7 @@ class SweepPanel:
             "order": form.elementOrder.currentIndex() + 1,
             "sources": list(self._faces.picks["source"]),
             "targets": list(self._faces.picks["target"]),
+            "pairs": list(self._faces.pairs),
         }
 
     def _connect(self):
@@ -162,7 +174,7 @@ class SweepPanel:
         return True
 
     def _task(self):
-        settings = {**self.settings(), "threads": preferences.threads()}
+        settings = {**self.settings(), **self._others, "threads": preferences.threads()}
         return brep_of(self._shape), options_for(self._shape, **settings)
 
     def _show_running(self, is_running):
@@ -196,7 +208,8 @@ class SweepPanel:
         """What OK does, as recorded Python."""
         settings = self.settings()
         if self._mesh:
-            changed = recorder.arguments(_changes(options_of(self._mesh), settings))
+            stored = self._stored_options()
+            changed = recorder.arguments(_changes(stored, settings) if stored else settings)
             arguments = [recorder.reference(self._mesh), *changed]
             return tr("Edit sweep mesh"), [f"sweepmesh.app.update_sweep_mesh({', '.join(arguments)})"]
         shape = recorder.reference(self._shape)
@@ -213,12 +226,23 @@ class SweepPanel:
 
     def _close(self):
         """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
+        self._is_open = False
         FreeCAD.removeDocumentObserver(self)
         self._assessor.close()
         self._mesher.close(wait=STOP_SECONDS)
         self._faces.close()
         self._previews.close()
-        QtCore.QTimer.singleShot(0, _leave_edit_and_close)
+        QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(self._document_name))
+
+    def slotChangedObject(self, obj, name):
+        """FreeCAD calls this when a property changed: another shape needs other drawings and a new verdict."""
+        if obj == self._shape and name == "Shape" and not self._mesher.is_running():
+            QtCore.QTimer.singleShot(0, self._shape_changed)
+
+    def _shape_changed(self):
+        if self._is_open:
+            self._previews.rebuild()
+            self.assess()
 
     def slotDeletedDocument(self, document):
         """FreeCAD calls this when a document is about to be closed."""
@@ -231,10 +255,11 @@ class SweepPanel:
             self._close()
 
 
-def _leave_edit_and_close():
-    document = FreeCADGui.activeDocument()
-    if document and document.getInEdit():
-        document.resetEdit()
+def _leave_edit_and_close(document_name):
+    if document_name in FreeCAD.listDocuments():
+        document = FreeCADGui.getDocument(document_name)
+        if document.getInEdit():
+            document.resetEdit()
     FreeCADGui.Control.closeDialog()
 
 
@@ -254,5 +279,6 @@ def _scheme_text(scheme):
 
 def _changes(options, settings):
     """Return the settings that differ from `options`."""
-    old = {**vars(options), "sources": _names(options.sources), "targets": _names(options.targets)}
+    faces = {"sources": _names(options.sources), "targets": _names(options.targets)}
+    old = {**vars(options), **faces, "pairs": [tuple(_names(pair)) for pair in options.pairs]}
     return {name: value for name, value in settings.items() if value != old[name]}

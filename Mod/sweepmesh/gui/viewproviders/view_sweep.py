@@ -1,7 +1,8 @@
 """View provider of a sweep mesh: icon, and editing in the task panel."""
+import FreeCAD
 import FreeCADGui
 
-from sweepmesh.gui.resources import icon
+from sweepmesh.gui.resources import icon, tr
 
 
 class ViewSweep:
@@ -21,6 +22,9 @@ class ViewSweep:
 
         if mode != 0:
             return None
+        if view_object.Object.Shape is None:
+            FreeCAD.Console.PrintError(tr("The mesh has no shape: set its property Shape first.") + "\n")
+            return False
         FreeCADGui.Control.showDialog(SweepPanel(view_object.Object.Shape, mesh=view_object.Object))
         return True
 
