@@ -243,6 +243,18 @@ TEST(Imprint, HolesAndWindowsInLinkingFaces) {
   EXPECT_EQ(n_runs(imprint), 4u);
 }
 
+TEST(Imprint, LeaningAndTwistedPocketsHaveOneCurveForFloorAndRim) {
+  for (const double twist : {0.0, 0.3, 1.0})
+    for (const double growth : {0.7, 1.0, 1.4}) {
+      const Model model = test::pocketed(twist, growth);
+      const Imprint imprint = imprinted(model);
+      expect_consistent(model, imprint);
+      EXPECT_EQ(imprint.patches.size(), 2u) << twist << " " << growth;
+      EXPECT_EQ(imprint.edges.size(), 8u);
+      for (const ImprintEdge& e : imprint.edges) EXPECT_EQ(e.traces.size(), 2u);
+    }
+}
+
 // --- failures --------------------------------------------------------------------------------------
 
 ImprintError error_of(const Model& model, const Scheme& scheme) {

@@ -5,6 +5,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
@@ -51,6 +52,29 @@ Model terraced(const std::vector<Terrace>& terraces, const std::vector<Terrace>&
   for (const Terrace& t : pockets) shape = BRepAlgoAPI_Cut(shape, prism(t)).Shape();
   std::ostringstream text;
   BRepTools::Write(placed(unified(shape), placement), text);
+  return Model::from_brep(text.str());
+}
+
+Model pocketed(double twist, double growth, const Placement& placement) {
+  constexpr double floor = 16, top = 50;
+  const auto outline = [&](double z) {
+    const double share = (z - floor) / (top - floor);
+    const double turn = share * twist, size = 1 + share * (growth - 1);
+    BRepBuilderAPI_MakePolygon wire;
+    for (const Point2& p : rectangle(-14 * size, -8 * size, 14 * size, 8 * size)) {
+      const Point2 q = Eigen::Rotation2Dd(turn) * p;
+      wire.Add(gp_Pnt(q.x(), q.y(), z));
+    }
+    wire.Close();
+    return wire.Wire();
+  };
+  BRepOffsetAPI_ThruSections loft(true, true);
+  loft.AddWire(outline(floor));
+  loft.AddWire(outline(top));
+  loft.AddWire(outline(top + 1));
+  const TopoDS_Shape block = prism({rectangle(-30, -30, 30, 30), 0, top});
+  std::ostringstream text;
+  BRepTools::Write(placed(BRepAlgoAPI_Cut(block, loft.Shape()).Shape(), placement), text);
   return Model::from_brep(text.str());
 }
 

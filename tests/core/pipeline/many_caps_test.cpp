@@ -86,6 +86,19 @@ TEST(ManyCaps, SlotsRibsAndWindows) {
   expect_valid(rib, swept(rib, 4.0));
 }
 
+TEST(ManyCaps, TwistedAndTaperedPockets) {
+  for (const double twist : {0.3, 1.0})
+    for (const double growth : {0.7, 1.4}) {
+      SCOPED_TRACE(twist * growth);
+      const Model model = test::pocketed(twist, growth);
+      const SweepResult result = swept(model, 5.0);
+      EXPECT_EQ(result.quality.n_inverted, 0);
+      EXPECT_GT(result.quality.scaled_jacobian.min, 0.15);
+      EXPECT_NEAR(result.quality.total_volume / model.volume(), 1.0, 0.01);
+      expect_conforming(result.mesh);
+    }
+}
+
 /// Random solids mesh at a rate of at least nine in ten; whatever fails is a typed error that names
 /// entities, and no invalid mesh is handed out.
 TEST(ManyCaps, RandomTerraces) {
