@@ -1,9 +1,13 @@
 """Make a sweep mesh in a document, and change it."""
+import importlib
+
 import FreeCAD
 
 from sweepmesh.app.objects.sweep import ORDERS, Sweep
 from sweepmesh.app.stages import options_for
 
+# Known by name only, as it is to FreeCAD when it opens a file: nothing in here depends on a window.
+_VIEW_MODULE = "sweepmesh.gui.viewproviders.view_sweep"
 _PROPERTIES = {
     "size": "Size",
     "layers": "Layers",
@@ -30,9 +34,7 @@ def make_sweep_mesh(shape_object, options=None, analysis=None, name="SweepMesh",
     if analysis is not None:
         analysis.addObject(obj)
     if FreeCAD.GuiUp:
-        from sweepmesh.gui.viewproviders.view_sweep import ViewSweep
-
-        ViewSweep(obj.ViewObject)
+        importlib.import_module(_VIEW_MODULE).ViewSweep(obj.ViewObject)
     obj.Document.recompute([obj])
     return obj
 
