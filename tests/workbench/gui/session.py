@@ -42,8 +42,8 @@ def run(macro, folder, timeout=300, environment=None):
                 env=_environment(home, folder, display, environment or {}), check=False,
             ).returncode
     results = folder / "results.json"
-    assert results.exists(), f"FreeCAD ended with {status} and left no results:\n{log.read_text()[-4000:]}"
-    return {**json.loads(results.read_text()), "tracebacks": _tracebacks(log.read_text())}
+    assert results.exists(), f"FreeCAD ended with {status} and left no results:\n{log.read_text(encoding="utf-8", errors="replace")[-4000:]}"
+    return {**json.loads(results.read_text(encoding="utf-8")), "tracebacks": _tracebacks(log.read_text(encoding="utf-8", errors="replace"))}
 
 
 def _tracebacks(text):
