@@ -1,8 +1,7 @@
 """Make a sweep mesh in a document, and change it."""
-import FreeCAD
-
 from sweepmesh.app.objects.sweep import ORDERS, Sweep
 from sweepmesh.app.stages import options_for
+from sweepmesh.app.views import attach_view
 
 _PROPERTIES = {
     "size": "Size",
@@ -29,10 +28,7 @@ def make_sweep_mesh(shape_object, options=None, analysis=None, name="SweepMesh",
     set_options(obj, shape_object, options)
     if analysis is not None:
         analysis.addObject(obj)
-    if FreeCAD.GuiUp:
-        from sweepmesh.gui.viewproviders.view_sweep import ViewSweep
-
-        ViewSweep(obj.ViewObject)
+    attach_view("Sweep", obj)
     obj.Document.recompute([obj])
     return obj
 
