@@ -29,15 +29,15 @@ class SlabWalker {
   Reference run() {
     find_heights();
     const int n = static_cast<int>(height_.size());
-    const int base = base_level();
+    base_ = base_level();
     for (std::size_t p = 0; p < panels_.size(); ++p)
-      if (panels_[p].low <= base && base <= panels_[p].high) in_r_[p] = seen_at(panels_[p], base);
-    for (std::size_t c = 0; c < out_.curves.size(); ++c)
-      is_known_.push_back(walls_.level[out_.curves[c].edge.index] == base);
+      if (panels_[p].low <= base_ && base_ + 1 <= panels_[p].high)
+        in_r_[p] = seen_at_height(panels_[p], base_height());
+    is_known_.assign(out_.curves.size(), false);
     for (int f = 0; f < model_.n_faces(); ++f)
       is_upright_.push_back(is_upright(walls_, seen_, FaceId{f}));
-    for (int level = base + 1; level < n; ++level) carry(level - 1, level, level);
-    for (int level = base - 1; level >= 0; --level) carry(level, level + 1, level);
+    for (int level = base_ + 1; level < n; ++level) carry(level - 1, level, level);
+    for (int level = base_; level >= 0; --level) carry(level, level + 1, level);
     for (const ReferenceCurve& c : out_.curves) {
       out_.vertex[model_.start(c.edge).index] = c.points.front();
       out_.vertex[model_.end(c.edge).index] = c.points.back();
@@ -67,6 +67,9 @@ class SlabWalker {
     return p.at(std::clamp((height - low) / (high - low), 0.0, 1.0));
   }
 
+  /// R is seen halfway up the base slab, so that what turns or grows along it is half as far away.
+  double base_height() const { return (height_.at(base_) + height_.at(base_ + 1)) / 2; }
+
   /// The lower level of the slab with the largest section.
   int base_level() const {
     int best = 0;
@@ -95,6 +98,7 @@ class SlabWalker {
     for (ReferenceCurve& c : out_.curves)
       if (walls_.level[c.edge.index] == level) {
         refine(parts, c);
+        lean_halfway(level, level == high, c);
         curves.push_back(&c);
       }
     move(low, high, level, parts, field, curves);
@@ -119,6 +123,20 @@ class SlabWalker {
       fine.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
     }
     c = std::move(fine);
+  }
+
+  /// An edge where a leaning linking face begins, and none ends, is taken where the face is halfway to
+  /// its other end, for the same reason as base_height().
+  void lean_halfway(int level, bool upwards, ReferenceCurve& c) const {
+    const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
+    const FaceId ending = (upwards ? walls_.below : walls_.above)[c.edge.index];
+    if (!f.is_valid() || is_upright_[f.index] || ending.is_valid()) return;
+    for (const Panel& p : panels_) {
+      if (p.face != f || (upwards ? p.low : p.high) != level) continue;
+      const Polyline line = seen_at(p, level), half = p.at(0.5);
+      for (Point2& x : c.points) x = at_position(half, nearest(line, x).position).point;
+      return;
+    }
   }
 
   /// Points on the outline, and outside of it, move with the field; those inside by the section's map.
@@ -191,7 +209,8 @@ class SlabWalker {
 
   std::vector<Point2> carried_in_steps(int low, int high, int level, int n,
                                        std::vector<Point2> points) const {
-    const double from = height_.at(level), to = height_.at(level == high ? low : high);
+    const double other_end = height_.at(level == high ? low : high);
+    const double from = height_.at(level), to = low == base_ ? base_height() : other_end;
     for (int i = 0; i <= n; ++i) {
       const double here = from + (to - from) * i / n, there = from + (to - from) * (i + 1) / n;
       const auto parts = outline(low, high, [&](std::size_t p) {
@@ -292,6 +311,7 @@ class SlabWalker {
   std::vector<char> is_known_;    ///< by curve: it is in R
   std::vector<char> is_upright_;  ///< by FaceId
   std::map<int, double> height_;
+  int base_ = 0;  ///< level at the lower end of the base slab
   Reference out_;
 };
 
