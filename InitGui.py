@@ -45,4 +45,9 @@ for folder in sys.path:
         FreeCADGui.addPreferencePage(os.path.join(resources, "ui", "Preferences.ui"), "SweepMesh")
         break
 
+try:
+    # Macros may make meshes before the workbench is opened: their views are known from the start.
+    import sweepmesh.gui.viewproviders  # noqa: F401
+except ImportError:
+    pass  # not built: the workbench says so when it is opened
 FreeCADGui.addWorkbench(SweepMeshWorkbench())

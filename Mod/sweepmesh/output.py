@@ -33,10 +33,18 @@ def check_path(path):
     if path.suffix.lower() not in _WRITERS:
         known = ", ".join(FORMATS)
         raise input_error(f"{path} has no suffix of a known format ({known}).", "write")
+    check_folder(path)
+
+
+def check_folder(path):
+    """Raises InputError unless a file `path` can be made."""
+    path = pathlib.Path(path)
     if not path.parent.is_dir():
         raise input_error(f"{path} cannot be written: there is no folder {path.parent}.", "write")
-    if path.is_dir() or not os.access(path.parent, os.W_OK):
-        raise input_error(f"{path} cannot be written there.", "write")
+    if path.is_dir():
+        raise input_error(f"{path} cannot be written: it is a folder.", "write")
+    if not os.access(path.parent, os.W_OK):
+        raise input_error(f"{path} cannot be written: the folder {path.parent} is read-only.", "write")
 
 
 @contextlib.contextmanager

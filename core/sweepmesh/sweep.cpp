@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <utility>
 
 #include "sweepmesh/boundary.h"
@@ -150,6 +151,72 @@ VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   return mesh;
 }
 
+/// Meshes one scheme into result.mesh and result.intervals; throws the stages' errors.
+void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
+                 StageClock& clock, Context& context, SweepResult& result) {
+  const IntervalOptions intervals = interval_options(options, result.size);
+  const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
+  const BoundaryMesh boundary =
+      is_one_to_one(scheme)
+          ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
+          : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
+  context.report(0.6, "Placing interior nodes");
+  result.mesh = clock.run("place", [&] {
+    VolumeMesh mesh = fill(boundary, context);
+    if (options.order == 2) add_mid_nodes_on(model, mesh, context, result.warnings);
+    return mesh;
+  });
+  if (!result.intervals.is_optimal)
+    result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
+}
+
+std::string caps_of(const Scheme& scheme) {
+  const auto listed = [&](FaceRole role) {
+    std::string text;
+    for (const FaceId f : scheme.faces_with(role)) text += (text.empty() ? "" : ", ") + name_of(f);
+    return text;
+  };
+  return listed(FaceRole::source) + " to " + listed(FaceRole::target);
+}
+
+/// The verdict where every scheme ends in elements that no position of the inner nodes makes valid.
+Assessment folded(const InvalidMeshError& error) {
+  Assessment verdict;
+  verdict.reasons.push_back(
+      {ReasonKind::geometric,
+       std::string(error.what()) + " Cut the solid, or sweep it in another direction.",
+       error.entities()});
+  return verdict;
+}
+
+/// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
+/// warning tells of those before it. False: the solid turned out not to be sweepable, see the
+/// assessment. Throws the first scheme's error where all fail otherwise.
+bool mesh_first_possible(const Model& model, const SweepOptions& options, StageClock& clock,
+                         Context& context, SweepResult& result) {
+  constexpr std::size_t n_tries = 4;
+  auto& schemes = result.assessment.schemes;
+  std::exception_ptr first_error;
+  std::optional<InvalidMeshError> fold;
+  for (std::size_t s = 0; s < std::min(n_tries, schemes.size()); ++s) try {
+      mesh_scheme(model, schemes[s], options, clock, context, result);
+      std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
+      return true;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      if (!first_error) first_error = std::current_exception();
+      const auto* invalid = dynamic_cast<const InvalidMeshError*>(&error);
+      if (s == 0 && invalid && invalid->stage() == "place") fold = *invalid;
+      result.warnings.push_back("The sweep from " + caps_of(schemes[s]) +
+                                " could not be meshed: " + error.what());
+    }
+  if (!fold) std::rethrow_exception(first_error);
+  result.assessment = folded(*fold);
+  result.warnings.clear();
+  return false;
+}
+
 }  // namespace
 
 double default_size(const Model& model) {
@@ -169,22 +236,7 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
   context.report(0.0, "Looking for sources and targets");
   result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
   if (!result.assessment.is_sweepable()) return result;
-  const Scheme& scheme = result.assessment.schemes.front();
-
-  const IntervalOptions intervals = interval_options(options, result.size);
-  const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
-  const BoundaryMesh boundary =
-      is_one_to_one(scheme) ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
-                            : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
-  if (!result.intervals.is_optimal)
-    result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
-
-  context.report(0.6, "Placing interior nodes");
-  result.mesh = clock.run("place", [&] {
-    VolumeMesh mesh = fill(boundary, context);
-    if (options.order == 2) add_mid_nodes_on(model, mesh, context, result.warnings);
-    return mesh;
-  });
+  if (!mesh_first_possible(model, options, clock, context, result)) return result;
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });

@@ -43,8 +43,10 @@ struct SweepResult {
 };
 
 /// Decides (or takes from `picks`) sources and targets, meshes caps and linking faces, and places
-/// the interior. Throws the stages' errors; a solid that cannot be swept is a normal result with
-/// reasons.
+/// the interior. Where the best scheme cannot be meshed, the next ones are tried; the one that was
+/// used is the first of result.assessment.schemes, and a warning tells of the others. Throws the
+/// stages' errors; a solid that cannot be swept is a normal result with reasons, and so is one whose
+/// elements stay inverted wherever the inner nodes are put (a geometric reason, no mesh).
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context);
 

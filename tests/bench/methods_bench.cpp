@@ -14,6 +14,7 @@
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/boundary.h"
+#include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/assess.h"

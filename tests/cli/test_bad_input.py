@@ -57,6 +57,8 @@ BAD_OPTIONS = {
     "unknown suffix": (["--out", "mesh.xyz"], "mesh.xyz"),
     "no suffix": (["--out", "mesh"], "mesh"),
     "folder that is not there": (["--out", "nowhere/mesh.vtu"], "nowhere"),
+    "out is a folder": (["--out", "."], "suffix"),
+    "report is a folder": (["--report", "."], "folder"),
     "report where there is no folder": (["--report", "nowhere/report.json"], "nowhere"),
     "object of no document": (["--object", "Brick"], "--object"),
     "solid that is not there": (["--solid", "2"], "solid"),
@@ -129,13 +131,13 @@ def test_the_report_of_a_failure_says_why(sweepmesh, shapes, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["mesh.vtu", "mesh.FCStd"])
-@pytest.mark.parametrize("seconds", [0.8, 2.5])
-def test_ctrl_c_stops_within_a_second_and_leaves_nothing(start, shapes, tmp_path, name, seconds):
+@pytest.mark.parametrize("seconds, stop", [(0.8, signal.SIGINT), (2.5, signal.SIGINT), (1.5, signal.SIGTERM)])
+def test_ctrl_c_stops_within_a_second_and_leaves_nothing(start, shapes, tmp_path, name, seconds, stop):
     process = start(shapes / "brick.step", "--size", 0.24, "--out", name)
     time.sleep(seconds)
     assert process.poll() is None, "the run is too short for this test"
     started = time.perf_counter()
-    process.send_signal(signal.SIGINT)
+    process.send_signal(stop)
     _, errors = process.communicate(timeout=30)
     assert time.perf_counter() - started < 1.0
     assert process.returncode == 1

@@ -33,7 +33,7 @@ def expect_valid_sweep(result, model, genus=None):
         expect_topology(result, corners, genus)
     tolerance = 1e-6 * model.model_size
     expect_on_entities(result, model, tolerance)
-    expect_faces_covered(result, model, {face for solid in solids for face in solid.faces}, tolerance)
+    expect_faces_covered(result, solids, tolerance)
     expect_volume(result, model, sum(solid.volume for solid in solids))
 
 
@@ -190,12 +190,13 @@ def polygon_areas(points, polygons):
     return 0.5 * numpy.linalg.norm(numpy.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]), axis=1)
 
 
-def expect_faces_covered(result, model, faces, tolerance):
+def expect_faces_covered(result, solids, tolerance):
     """Each CAD face has polygons, all of their nodes lie on it, and their areas add up to its own."""
     polygons = boundary_polygons(result)
     areas = polygon_areas(result.points, polygons)
-    assert set(result.boundary_faces) == {face + 1 for face in faces}, "a CAD face has no polygons"
-    for face in sorted(faces):
+    solid_of = {face: solid for solid in solids for face in solid.faces}
+    assert set(result.boundary_faces) == {face + 1 for face in solid_of}, "a CAD face has no polygons"
+    for face, model in sorted(solid_of.items(), key=lambda item: item[0]):
         its = result.boundary_faces == face + 1
         exact, meshed = model.area(face), areas[its].sum()
         assert abs(meshed - exact) <= AREA_SLACK * exact, f"Face{face + 1}: area {meshed:g}, exact {exact:g}"

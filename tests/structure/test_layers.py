@@ -19,7 +19,6 @@ STAGES = {
     "surface": {"model", "numerics", "scheme", "intervals"},
     "volume": {"numerics", "surface", "quality"},
     "quality": {"volume", "surface"},
-    "io": {"volume", "surface", "quality"},
 }
 
 # Header patterns of outside libraries and the folders that may include them (in .cpp files only).

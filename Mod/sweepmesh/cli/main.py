@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import sys
 import time
 
@@ -26,6 +27,8 @@ def main(arguments=None):
 
 def end_with(work):
     """Ends the process with the status that `work` returns; whatever it raises becomes a sentence and FAILED."""
+    for stop in (signal.SIGINT, signal.SIGTERM):  # a shell may have had SIGINT ignored
+        signal.signal(stop, signal.default_int_handler)
     try:
         status = work()
     except engine.SweepMeshError as error:
@@ -37,6 +40,8 @@ def end_with(work):
         status = FAILED
     except MemoryError:
         status = _fail("There is not enough memory for this mesh: choose a larger size.")
+    except Exception as error:  # no traceback reaches a user; the sentence says what there is to report
+        status = _fail(f"An unexpected error, {type(error).__name__}: {' '.join(str(error).split())}.")
     _leave(status)
 
 
@@ -45,6 +50,8 @@ def _run(arguments):
     started = time.perf_counter()
     for path in arguments.out:
         output.check_path(path)
+    if arguments.report:
+        output.check_folder(arguments.report)
     state = {"assessment": None, "result": None, "seconds": {}, "warnings": []}
     try:
         _work(arguments, state)

@@ -11,7 +11,6 @@ import pickle
 import subprocess
 import sys
 import tempfile
-from typing import Optional
 
 from sweepmesh import output
 from sweepmesh.cli import shapes
@@ -60,7 +59,7 @@ def _write_in_process(job):
 def _work(path):
     """The writing process: does the job in the file `path`."""
     with open(path, "rb") as file:
-        job: Optional[Job] = pickle.load(file)
+        job = pickle.load(file)
     made = None
     if job.path.lower().endswith(".fcstd"):
         made = shapes.document_object(job.shape)

@@ -40,6 +40,26 @@ std::vector<int> nodes_of(const BaseMesh& base, const std::vector<DirectedEdge>&
   return out;
 }
 
+/// Where a patch touches itself in a node, the node's places in the loops are drawn apart, each into the
+/// patch, so that the loops become simple.
+void draw_touching_apart(const std::vector<int>& node, PlanarLoops& loops) {
+  constexpr double share = 0.2;  // of the shorter mesh edge there
+  std::map<int, int> n_uses;
+  for (const int n : node) ++n_uses[n];
+  std::size_t at = 0;
+  for (auto& loop : loops) {
+    const std::vector<Point2> before = loop;
+    const std::vector<double> angles = interior_angles({before});
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (n_uses[node[at++]] < 2) continue;
+      const Point2 along = before[(i + 1) % loop.size()] - before[i];
+      const Point2 back = before[(i + loop.size() - 1) % loop.size()] - before[i];
+      const double reach = share * std::min(along.norm(), back.norm());
+      loop[i] += reach * (Eigen::Rotation2Dd(angles[i] / 2) * along.normalized());
+    }
+  }
+}
+
 /// Boundary nodes where a single cell would have to open its corner almost flat in one of the shapes.
 int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
   constexpr double flat = 160.0 / 180.0 * std::numbers::pi;
@@ -79,28 +99,55 @@ PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngl
   return std::move(*best);
 }
 
+std::vector<std::string> caps_of(const Patch& patch) {
+  std::vector<std::string> names;
+  for (const Run& r : patch.runs)
+    for (const FaceId f : {r.target, r.source}) names.push_back(name_of(f));
+  return names;
+}
+
+/// A cell that reaches from one place of a node to another has lost a corner.
+void check_corners(const BaseMesh& base, int cell, const Patch& patch) {
+  std::vector<int> nodes(base.cell_nodes.begin() + base.cell_offset.back(), base.cell_nodes.end());
+  std::sort(nodes.begin(), nodes.end());
+  if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
+    throw InvalidMeshError("surface",
+                           "A patch is too narrow for the element size where it touches itself.",
+                           caps_of(patch), {cell});
+}
+
+/// In units of the element size, and rounded to far less than that, so that a solid that is turned,
+/// moved or scaled is meshed alike.
+Point2 in_sizes(const Point2& p, double size) {
+  constexpr double grid = 1e6;
+  return (p * (grid / size)).array().round() / grid;
+}
+
 void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-               int patch, const PlanarMeshOptions& options, const Context& context,
-               BaseMesh& base) {
+               int patch, double size, CellKind kind, const Context& context, BaseMesh& base) {
   std::vector<int> node;
   PlanarLoops loops;
   for (const auto& loop : imprint.patches[patch].loops) {
     loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
       node.push_back(n);
-      loops.back().push_back(base.points[n]);
+      loops.back().push_back(in_sizes(base.points[n], size));
     }
   }
+  draw_touching_apart(node, loops);
   const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
+  PlanarMeshOptions options;
+  options.kind = kind;
   std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
   if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
   const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
   for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
-    base.points.push_back(mesh.points[i]);
+    base.points.push_back(size * mesh.points[i]);
   }
   for (int c = 0; c < mesh.n_cells(); ++c) {
     for (const int n : mesh.cell(c)) base.cell_nodes.push_back(node[n]);
+    check_corners(base, c, imprint.patches[patch]);
     base.cell_offset.push_back(static_cast<int>(base.cell_nodes.size()));
     base.cell_patch.push_back(patch);
   }
@@ -167,13 +214,6 @@ void relax(const Imprint& imprint, const Context& context, BaseMesh& base) {
   for (std::size_t i = 0; i < node.size(); ++i) base.points[node[i]] = smooth.points[i];
 }
 
-std::vector<std::string> caps_of(const Patch& patch) {
-  std::vector<std::string> names;
-  for (const Run& r : patch.runs)
-    for (const FaceId f : {r.target, r.source}) names.push_back(name_of(f));
-  return names;
-}
-
 void throw_if_inverted(const Imprint& imprint, const BaseMesh& base) {
   std::vector<long> inverted;
   for (int c = 0; c < base.n_cells(); ++c)
@@ -193,9 +233,6 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
                    double size, CellKind kind, Context& context) {
   BaseMesh base;
   add_edge_nodes(imprint, counts, base);
-  PlanarMeshOptions options;
-  options.size = size;
-  options.kind = kind;
   for (std::size_t p = 0; p < imprint.patches.size(); ++p) {
     context.check("surface");
     const Patch& patch = imprint.patches[p];
@@ -204,7 +241,7 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
              name_of(patch.runs[0].source) + ": " + e.what();
     };
     try {
-      add_patch(model, imprint, counts, static_cast<int>(p), options, context, base);
+      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, context, base);
     } catch (const InputError& e) {
       throw InputError(e.stage(), sentence(e), caps_of(patch));
     } catch (const SolverError& e) {

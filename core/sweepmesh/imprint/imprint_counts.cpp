@@ -125,24 +125,14 @@ class Demands {
 
   // --- loops of linking faces --------------------------------------------------------------------
 
-  /// A step along an imprint edge over which a linking face stands.
-  struct Step {
-    int to;
-    int unknown;  ///< of the edge's count
-    double sign;  ///< +1 along +i of the face
-  };
-
+  /// Where loop 0 passes below or above the first vertex of another loop.
   void add_offsets(FaceId f) {
     const auto& loops = model_.loops(f);
-    if (loops.size() < 2) return;
-    const auto steps = steps_of(f);
-    const int from = column_of(loops[0].front().start);
     for (std::size_t l = 1; l < loops.size(); ++l) {
-      const auto terms = path(steps, from, column_of(loops[l].front().start));
+      auto terms = steps_to(f, column_of(loops[l].front().start));
       if (!terms) continue;
-      Terms all = *terms;
-      all.push_back({out_.offset[f.index][l], -1.0});
-      demand(Kind::equality, all, 0.0, {name_of(f)},
+      terms->push_back({out_.offset[f.index][l], -1.0});
+      demand(Kind::equality, *terms, 0.0, {name_of(f)},
              "the loops of " + name_of(f) + " must stand over the same columns");
     }
   }
@@ -154,48 +144,25 @@ class Demands {
     return -1;
   }
 
-  std::map<int, std::vector<Step>> steps_of(FaceId f) const {
-    std::map<int, std::vector<Step>> steps;
-    for (std::size_t x = 0; x < imprint_.edges.size(); ++x) {
-      const ImprintEdge& e = imprint_.edges[x];
-      for (const Trace& t : e.traces)
-        for (const Coedge& c : model_.coedges(t.edge)) {
-          if (c.face != f) continue;
-          const bool is_plus = direction_of(c) == Direction::plus_i;
-          const bool is_against = c.reversed != (t.first > t.last);
-          const double sign = is_plus != is_against ? 1.0 : -1.0;
-          steps[e.start].push_back({e.end, edge_[x], sign});
-          steps[e.end].push_back({e.start, edge_[x], -sign});
-        }
-    }
-    return steps;
-  }
-
-  Direction direction_of(const Coedge& c) const {
-    const auto& loops = model_.loops(c.face);
-    for (std::size_t l = 0; l < loops.size(); ++l)
-      for (std::size_t i = 0; i < loops[l].size(); ++i)
-        if (loops[l][i].edge == c.edge && loops[l][i].reversed == c.reversed)
-          return scheme_.face[c.face.index].direction[l][i];
-    return Direction::plus_i;
-  }
-
-  /// Signed counts on a shortest way.
-  static std::optional<Terms> path(const std::map<int, std::vector<Step>>& steps, int from, int to) {
-    std::map<int, Terms> way = {{from, {}}};
-    std::vector<int> open = {from};
-    for (std::size_t i = 0; i < open.size() && !way.contains(to); ++i) {
-      const auto here = steps.find(open[i]);
-      if (here == steps.end()) continue;
-      for (const Step& s : here->second) {
-        Terms next = way[open[i]];
-        next.push_back({s.unknown, s.sign});
-        if (way.try_emplace(s.to, std::move(next)).second) open.push_back(s.to);
+  /// Signed counts along i on the way along a face's loop 0 from its first vertex to an imprint
+  /// vertex; empty where the loop does not pass it.
+  std::optional<Terms> steps_to(FaceId f, int vertex) const {
+    const Loop& loop = model_.loops(f)[0];
+    Terms terms;
+    for (std::size_t c = 0; c < loop.size(); ++c) {
+      const Direction d = scheme_.face[f.index].direction[0][c];
+      if (!loop[c].edge.is_valid() || is_axial(d)) continue;
+      const auto& chain = imprint_.chain[loop[c].edge.index];
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        const DirectedEdge& e = chain[loop[c].reversed ? chain.size() - 1 - i : i];
+        const ImprintEdge& edge = imprint_.edges[e.edge];
+        const bool is_against = e.reversed != loop[c].reversed;
+        if ((is_against ? edge.end : edge.start) == vertex) return terms;
+        terms.push_back({edge_[e.edge], d == Direction::plus_i ? 1.0 : -1.0});
+        if ((is_against ? edge.start : edge.end) == vertex) return terms;
       }
     }
-    const auto found = way.find(to);
-    if (found == way.end()) return std::nullopt;
-    return found->second;
+    return std::nullopt;
   }
 
   const Model& model_;

@@ -37,8 +37,8 @@ bool have_common(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
 
 }  // namespace
 
-Occupancy::Occupancy(const Walls& walls, const Reference& reference)
-    : walls_(walls), curve_(walls.level.size()), coincidence_(reference.coincidence) {
+Occupancy::Occupancy(const Model& model, const Walls& walls, const Reference& reference)
+    : model_(model), walls_(walls), curve_(walls.level.size()), coincidence_(reference.coincidence) {
   for (const ReferenceCurve& c : reference.curves) curve_[c.edge.index] = &c.points;
 }
 
@@ -87,10 +87,21 @@ Occupancy::Column Occupancy::column(const std::vector<VertexId>& vertices,
   return out;
 }
 
-bool Occupancy::collide(const Place& a, const Place& b) const {
+bool Occupancy::meet_in(const std::vector<VertexId>& there, const Span& a, const Span& b) const {
+  const auto ends = [&](VertexId v, const std::vector<EdgeId>& edges) {
+    return std::any_of(edges.begin(), edges.end(), [&](EdgeId e) {
+      return model_.start(e) == v || model_.end(e) == v;
+    });
+  };
+  return std::any_of(there.begin(), there.end(), [&](VertexId v) {
+    return (ends(v, a.bottoms) || ends(v, a.tops)) && (ends(v, b.bottoms) || ends(v, b.tops));
+  });
+}
+
+bool Occupancy::collide(const Place& a, const Place& b, const std::vector<VertexId>& there) const {
   if (a.edge == b.edge) return true;
   const Span sa = span(a), sb = span(b);
-  if (sa.high < sb.low || sb.high < sa.low) return false;
+  if (sa.high < sb.low || sb.high < sa.low || meet_in(there, sa, sb)) return false;
   if (sa.high == sb.low) return !have_common(sa.tops, sb.bottoms);
   if (sb.high == sa.low) return !have_common(sb.tops, sa.bottoms);
   const int la = walls_.level[a.edge.index], lb = walls_.level[b.edge.index];

@@ -14,7 +14,7 @@ namespace sweepmesh {
 /// a thin piece of the solid.
 class Occupancy {
  public:
-  Occupancy(const Walls& walls, const Reference& reference);
+  Occupancy(const Model& model, const Walls& walls, const Reference& reference);
 
   /// A CAD edge at a place of R that lies on it (or near it: it may have been moved).
   struct Place {
@@ -39,8 +39,9 @@ class Occupancy {
   /// The column of vertices at which the edges `ends` end, each given at a place near its end.
   Column column(const std::vector<VertexId>& vertices, const std::vector<Place>& ends) const;
 
-  /// Whether the edges or columns, brought to one place, would collide.
-  bool collide(const Place& a, const Place& b) const;
+  /// Whether the edges or columns, brought to one place, would collide. Edges do not where their linking
+  /// faces meet in one of the vertices `there` (ascending).
+  bool collide(const Place& a, const Place& b, const std::vector<VertexId>& there = {}) const;
   bool collide(const Column& a, const Column& b) const;
   bool collide(const Column& a, const Place& b) const;
 
@@ -54,7 +55,9 @@ class Occupancy {
 
  private:
   std::optional<Reach> reach(const Place& place, bool upwards) const;
+  bool meet_in(const std::vector<VertexId>& there, const Span& a, const Span& b) const;
 
+  const Model& model_;
   const Walls& walls_;
   std::vector<const Polyline*> curve_;
   double coincidence_;

@@ -22,7 +22,7 @@ class Overlayer {
         scheme_(scheme),
         walls_(walls),
         reference_(reference),
-        occupancy_(walls, reference),
+        occupancy_(model, walls, reference),
         near_(merge_distance),
         context_(context) {}
 
@@ -129,10 +129,11 @@ class Overlayer {
     return at_arc(line, length(line) * (at_start ? little : 1.0 - little)).point;
   }
 
-  bool collide(const std::vector<Place>& a, const std::vector<Place>& b) const {
+  bool collide(const std::vector<Place>& a, const std::vector<Place>& b,
+               const std::vector<VertexId>& there = {}) const {
     for (const Place& p : a)
       for (const Place& q : b)
-        if (occupancy_.collide(p, q)) return true;
+        if (occupancy_.collide(p, q, there)) return true;
     return false;
   }
 
@@ -141,7 +142,7 @@ class Overlayer {
       for (const int c : found->second)
         for (const Place& p : there)
           if (occupancy_.collide(columns_[c].column, p)) return true;
-    return collide(places_through(node), there);
+    return collide(places_through(node), there, graph_.nodes[node].cad);
   }
 
   // --- pieces ------------------------------------------------------------------------------------

@@ -7,21 +7,32 @@
 namespace sweepmesh {
 namespace {
 
-/// Coordinates across a direction.
+/// Coordinates across a direction, in a frame that turns with the solid: its origin is a vertex, its
+/// first axis runs along `along`.
 class Projection {
  public:
-  explicit Projection(const Point3& direction) {
-    int least = 0;
-    direction.cwiseAbs().minCoeff(&least);
-    const Point3 x = direction.cross(Point3::Unit(least)).normalized();
-    axes_.row(0) = x;
-    axes_.row(1) = direction.cross(x);
+  Projection(const Point3& direction, const Point3& origin, const Point3& along) : origin_(origin) {
+    axes_.row(0) = (along - along.dot(direction) * direction).normalized();
+    axes_.row(1) = direction.cross(Point3(axes_.row(0)));
   }
-  Point2 operator()(const Point3& p) const { return axes_ * p; }
+  Point2 operator()(const Point3& p) const { return axes_ * (p - origin_); }
 
  private:
+  Point3 origin_;
   Eigen::Matrix<double, 2, 3> axes_;
 };
+
+/// The frame at the first transverse edge that has a chord (a third of it, for closed ones) across the
+/// direction.
+Projection frame_of(const Model& model, const Walls& walls, const Point3& direction) {
+  for (const EdgeId e : walls.edges) {
+    const auto [first, last] = model.range(e);
+    const Point3 origin = model.point(e, first);
+    const Point3 along = model.point(e, first + (last - first) / 3) - origin;
+    if (along.cross(direction).norm() > model.tolerances().point) return {direction, origin, along};
+  }
+  return {direction, Point3::Zero(), direction.unitOrthogonal()};
+}
 
 /// Halves the edge's parameter range until chords are nearer than `sag` to the curve.
 class Sampler {
@@ -39,6 +50,7 @@ class Sampler {
       const double b = first + (last - first) * (i + 1) / n_parts;
       refine(a, at(a), b, at(b), 0);
     }
+    out_.t.back() = last;
     if (model_.start(edge_) == model_.end(edge_)) out_.points.back() = out_.points.front();
     if (is_straight()) {
       out_.points = {out_.points.front(), out_.points.back()};
@@ -142,7 +154,7 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
                               double coincidence, const Context& context) {
-  const Projection project(direction);
+  const Projection project = frame_of(model, walls, direction);
   Reference reference;
   reference.coincidence = coincidence;
   for (const EdgeId e : walls.edges) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "sweepmesh/imprint/mean_value_field.h"
@@ -31,6 +32,10 @@ class SlabWalker {
     const int base = base_level();
     for (std::size_t p = 0; p < panels_.size(); ++p)
       if (panels_[p].low <= base && base <= panels_[p].high) in_r_[p] = seen_at(panels_[p], base);
+    for (std::size_t c = 0; c < out_.curves.size(); ++c)
+      is_known_.push_back(walls_.level[out_.curves[c].edge.index] == base);
+    for (int f = 0; f < model_.n_faces(); ++f)
+      is_upright_.push_back(is_upright(walls_, seen_, FaceId{f}));
     for (int level = base + 1; level < n; ++level) carry(level - 1, level, level);
     for (int level = base - 1; level >= 0; --level) carry(level, level + 1, level);
     for (const ReferenceCurve& c : out_.curves) {
@@ -127,7 +132,9 @@ class SlabWalker {
       for (const Point2& p : c->points) {
         const auto [place, is_new] = image.try_emplace({p.x(), p.y()}, p);
         if (!is_new) continue;
-        if (!is_fixed && field.distance(p) > seen_.coincidence && is_inside(loops, p))
+        if (const auto known = over_known_edges(c->edge, p))
+          place->second = *known;
+        else if (!is_fixed && field.distance(p) > seen_.coincidence && is_inside(loops, p))
           inside.push_back(p);
         else
           place->second = field(p);
@@ -137,8 +144,27 @@ class SlabWalker {
       for (std::size_t i = 0; i < inside.size(); ++i)
         image[{inside[i].x(), inside[i].y()}] = carried[i];
     }
-    for (ReferenceCurve* c : curves)
+    for (ReferenceCurve* c : curves) {
       for (Point2& p : c->points) p = image.at({p.x(), p.y()});
+      is_known_[c - out_.curves.data()] = true;
+    }
+  }
+
+  /// R at a place of an edge of an upright linking face, where another edge of that face lies over it
+  /// and is known: what is between them need not be solid.
+  std::optional<Point2> over_known_edges(EdgeId e, const Point2& x) const {
+    std::vector<std::size_t> curves;
+    for (const FaceId f : {walls_.above[e.index], walls_.below[e.index]}) {
+      if (!f.is_valid() || !is_upright_[f.index]) continue;
+      for (std::size_t c = 0; c < out_.curves.size(); ++c) {
+        const EdgeId other = out_.curves[c].edge;
+        if (is_known_[c] && (walls_.above[other.index] == f || walls_.below[other.index] == f) &&
+            nearest(seen_.curves[c].points, x).distance <= seen_.coincidence)
+          curves.push_back(c);
+      }
+    }
+    if (curves.empty()) return std::nullopt;
+    return along_edges(curves, x);
   }
 
   static double largest_move(const std::vector<OutlinePart>& parts) {
@@ -263,6 +289,8 @@ class SlabWalker {
   const Context& context_;
   std::vector<Panel> panels_;
   std::vector<Polyline> in_r_;  ///< by panel, once known
+  std::vector<char> is_known_;    ///< by curve: it is in R
+  std::vector<char> is_upright_;  ///< by FaceId
   std::map<int, double> height_;
   Reference out_;
 };

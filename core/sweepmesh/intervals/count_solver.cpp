@@ -179,16 +179,15 @@ class PartProgram {
     program_.add_row(std::move(row));
   }
 
+  /// Pieces up to three times the start; the last goes on as far as the bound allows.
   void add_pieces(int c, double sign, double bound, IntegerProgram::Row& row) {
-    const double room = std::abs(bound - start_[c]);
-    const int max_pieces = 40;  // reaches 10^4 times as far as the first piece; the last has no end
-    double at = 0.0;
-    for (int p = 0; p < max_pieces && at < room; ++p) {
+    const double room = std::abs(bound - start_[c]), far = 4.0 + 2.0 * start_[c];
+    for (double at = 0.0; at < room;) {
       const double length = std::min(piece_length(at), room - at);
       const double rise = cost_at(c, sign * (at + length)) - cost_at(c, sign * at);
-      const double upper = p + 1 == max_pieces ? unbounded : length;
+      const double upper = at >= far ? room - at : length;
       row.terms.push_back({program_.add_variable({0.0, upper, false, rise / length, "d"}), -sign});
-      at += length;
+      at += upper;
     }
   }
 
@@ -229,28 +228,48 @@ class PartSolver {
   bool is_optimal() const { return is_optimal_; }
 
  private:
+  enum class Outcome { solved, infeasible, no_answer };
+
   /// First without even sums, which leaves a program with (nearly) whole corners; these are then
-  /// repaired within a step or two. Only where that fails does branch and bound see the even sums.
+  /// repaired within a step or two. Where that fails branch and bound sees the even sums, at first
+  /// for a short time only: neither way is the quicker one on every solid.
   bool solve_part(const std::vector<int>& part) {
-    const bool has_parity = std::any_of(part.begin(), part.end(),
-                                        [&](int d) { return is_parity(classes_.demands[d].kind); });
-    if (!solve_program(part, false)) return false;
-    const std::size_t few = 500, many = 4000;  // states: the first decides most problems at once
-    return !has_parity || repair(part, 1, few) || repair(part, 1, many) || repair(part, 2, many) ||
-           solve_program(part, true);
+    if (solve_program(part, false, options_.time_limit_seconds) != Outcome::solved) return false;
+    const std::size_t few = 500;  // states: they decide most problems at once
+    const std::size_t many = std::max(few, 400'000 / part.size());
+    if (!has_parity(part) || repair(part, 1, few)) return true;
+    const double short_time = std::min(5.0, options_.time_limit_seconds);
+    const Outcome quick = try_program(part, short_time);
+    if (quick != Outcome::no_answer) return quick == Outcome::solved;
+    return repair(part, 1, many) || repair(part, 2, many) ||
+           solve_program(part, true, options_.time_limit_seconds) == Outcome::solved;
   }
 
-  bool solve_program(const std::vector<int>& part, bool with_parity) {
+  bool has_parity(const std::vector<int>& part) const {
+    return std::any_of(part.begin(), part.end(),
+                       [&](int d) { return is_parity(classes_.demands[d].kind); });
+  }
+
+  Outcome try_program(const std::vector<int>& part, double seconds) {
+    try {
+      return solve_program(part, true, seconds);
+    } catch (const SolverError&) {
+      return Outcome::no_answer;
+    }
+  }
+
+  Outcome solve_program(const std::vector<int>& part, bool with_parity, double seconds) {
     PartProgram p(classes_, start_, fixed_, options_);
     for (const int d : part)
       if (with_parity || !is_parity(classes_.demands[d].kind)) p.add(classes_.demands[d]);
-    SolveOptions how{.time_limit_seconds = options_.time_limit_seconds};
-    if (with_parity) how.gap = 0.05;  // the relaxation sees no parity: the last bit cannot be proven
+    SolveOptions how{.time_limit_seconds = seconds};
+    if (with_parity)
+      how.gap = 0.05;  // the relaxation sees no parity: the last bit cannot be proven
     const Solution s = solve(p.program(), how, context_);
-    if (s.status == SolveStatus::infeasible) return false;
+    if (s.status == SolveStatus::infeasible) return Outcome::infeasible;
     is_optimal_ = is_optimal_ && s.status == SolveStatus::optimal;
     for (const auto& [k, v] : p.variables()) value_[k] = s.values[v];
-    return true;
+    return Outcome::solved;
   }
 
   bool repair(const std::vector<int>& part, int max_step, std::size_t max_states) {

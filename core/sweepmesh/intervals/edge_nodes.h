@@ -18,7 +18,8 @@ struct EdgeNodes {
 /// n + 1 fractions 0..1 whose steps grow by the bias; even without one.
 std::vector<double> biased_fractions(int n, const Bias& bias);
 
-/// Equal steps of arc length, or steps that grow geometrically on edges with a bias.
+/// Equal steps of arc length, or steps that grow geometrically on edges with a bias (their own, or
+/// that of the sweep where `intervals.k` differs between their ends).
 EdgeNodes place_edge_nodes(const Model& model, const Intervals& intervals,
                            const IntervalOptions& options);
 

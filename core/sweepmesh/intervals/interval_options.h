@@ -25,6 +25,9 @@ struct IntervalOptions {
   std::map<EdgeId, double> edge_size = {};  ///< wished length on chosen edges, > 0
   std::map<EdgeId, int> edge_count = {};    ///< exact number of mesh edges on chosen edges, >= 1
   std::map<EdgeId, Bias> edge_bias = {};    ///< spacing on chosen edges; others are spaced evenly
+  /// Spacing along the sweep: on every axial edge that has none of its own, read from the lower to
+  /// the higher layer whichever way the edge runs.
+  std::optional<Bias> sweep_bias = {};
   /// Pairs of edges that must get the same number, besides those that the linking faces tie
   /// together.
   std::vector<std::pair<EdgeId, EdgeId>> equal_edges = {};

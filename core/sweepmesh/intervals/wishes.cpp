@@ -46,6 +46,8 @@ void check(const Model& model, const IntervalOptions& o) {
       throw InputError(stage, "The count on " + name_of(edge) + " must be at least one.",
                        {name_of(edge)});
   }
+  if (o.sweep_bias && !is_positive(o.sweep_bias->ratio))
+    throw InputError(stage, "The bias along the sweep must be positive.");
   for (const auto& [a, b] : o.equal_edges) {
     check_edge(model, a);
     check_edge(model, b);

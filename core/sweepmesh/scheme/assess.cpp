@@ -5,6 +5,7 @@
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/scheme/pairs.h"
+#include "sweepmesh/scheme/prismatic.h"
 #include "sweepmesh/scheme/reasons.h"
 #include "sweepmesh/scheme/role_search.h"
 #include "sweepmesh/scheme/to_scheme.h"
@@ -118,6 +119,14 @@ std::vector<Scheme> ranked(const Model& model, const Network& network,
   return out;
 }
 
+/// Whether two schemes have the same caps, be it upside down.
+bool has_same_caps(const Scheme& a, const Scheme& b) {
+  for (std::size_t f = 0; f < a.face_role.size(); ++f)
+    if ((a.face_role[f] == FaceRole::linking) != (b.face_role[f] == FaceRole::linking))
+      return false;
+  return true;
+}
+
 /// The picks without each of which the others can be met; all where no single one is to blame.
 std::vector<FaceId> blamed_picks(const Network& network, const std::vector<Pick>& picks,
                                  Context& context) {
@@ -171,10 +180,15 @@ class Assessor {
     for (const auto& [id, states] : chosen_) index_of(problem_, id);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
+    context_.report(0.2, "Looking for sources and targets.");
     const auto fixed = fixed_corners(problem_, picks_.types);
     const Network strict = make_network(problem_, strict_limits(), fixed);
-    if (auto found = try_with(strict, chosen_)) return *found;
+    if (auto found = try_with(strict, chosen_)) {
+      if (chosen_.empty()) add_prismatic(*found, fixed);
+      return *found;
+    }
     if (opposed_) return {{}, {*opposed_}};
+    context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
     if (!chosen_.empty() || !fixed.empty())
       if (auto found = try_with(lenient, chosen_)) return *found;
@@ -195,6 +209,17 @@ class Assessor {
     if (auto reason = keep_paired(network, picks_, result.divisions))
       return Assessment{{}, {*reason}};
     return Assessment{ranked(model_, network, result.divisions, chosen_), {}};
+  }
+
+  /// Offers straight sweeps, too, whatever their angles cost.
+  void add_prismatic(Assessment& found, const std::vector<FixedCorner>& fixed) {
+    const Network lenient = make_network(problem_, lenient_limits(), fixed);
+    for (const Scheme& scheme :
+         ranked(model_, lenient, prismatic_divisions(lenient, context_), chosen_)) {
+      const bool is_known = std::ranges::any_of(
+          found.schemes, [&](const Scheme& other) { return has_same_caps(scheme, other); });
+      if (!is_known && scheme.cost >= found.schemes.back().cost) found.schemes.push_back(scheme);
+    }
   }
 
   /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to

@@ -77,11 +77,24 @@ void measure_direction(const Model& model, const Coedge& coedge, ProblemEdge& ed
   }
 }
 
+Point3 mean_normal(const Model& model, FaceId id) {
+  constexpr int kSamples = 5;  // each way
+  const auto [low, high] = model.uv_bounds(id);
+  Point3 sum = Point3::Zero();
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j) {
+      const Point2 at((i + 0.5) / kSamples, (j + 0.5) / kSamples);
+      sum += model.normal(id, low + at.cwiseProduct(high - low));
+    }
+  return sum / (kSamples * kSamples);
+}
+
 /// Adds a face and its coedges; partners are filled in when both uses of an edge are known.
 void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, SweepProblem& out) {
   ProblemFace face;
   face.id = id;
   face.area = model.area(id);
+  face.normal = mean_normal(model, id);
   const auto& loops = model.loops(id);
   for (std::size_t l = 0; l < loops.size(); ++l) {
     ProblemLoop loop{static_cast<int>(out.coedges.size()), 0};

@@ -38,6 +38,7 @@ struct ProblemFace {
   std::vector<ProblemLoop> loops;
   bool is_degenerate = false;  ///< has a pole: cannot carry a structured grid
   double area = 0.0;
+  Point3 normal = Point3::Zero();  ///< mean of unit normals over the face's parameter range
   int shell = 0;  ///< faces joined by edges have the same number; 0 is the first face's
 };
 

@@ -7,6 +7,7 @@
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
+#include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
 namespace {
@@ -122,6 +123,12 @@ PlanarMap map_planar(const PlanarMesh& source, const std::vector<Point2>& bounda
   map.points = harmonic_map(source, boundary, options);
   map.harmonic = map.final = quality(map.points, source, options.target_metric);
   Improver(source, options, context).run(map);
+  if (map.final.n_inverted == 0) {
+    constexpr int max_rounds = 3;
+    map.points = with_worst_raised(source, map.points, options.poor, max_rounds,
+                                   options.target_metric, context);
+    map.final = quality(map.points, source, options.target_metric);
+  }
   const auto inverted = cells_below(0.0, source, map.points, options.target_metric);
   if (!inverted.empty())
     throw InvalidMeshError("surface",

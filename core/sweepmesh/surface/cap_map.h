@@ -1,10 +1,10 @@
 // Carries a plane mesh to another shape of its boundary: the map from source cap to target cap.
 //
 //   1. harmonic extension of the boundary's motion, less its best affine part, with mean value
-//   weights;
+//      weights;
 //   2. where cells come out inverted or poor, and around them, the regularised elliptic energy
-//   towards the
-//      shapes of the source's cells; the neighbourhood grows while inverted cells are left.
+//      towards the shapes of the source's cells; the neighbourhood grows while one is inverted;
+//   3. cells that are still poor are raised at the cost of others (worst_first.h).
 //
 // docs/cap_mapping.md tells why this replaces the harmonic maps of facets to circular domains.
 // Source: thesis section 3.3 (harmonic map); Garanzha et al. 2021 (foldover-free energy).

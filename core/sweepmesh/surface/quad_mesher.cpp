@@ -133,14 +133,18 @@ double worst(const std::vector<PlanarMesh>& meshes, const Metric& metric) {
 }
 
 std::vector<PlanarMesh> quad_candidates(const Task& task) {
-  constexpr double poor = 0.3;
+  constexpr double poor = 0.3, decent = 0.5;
+  constexpr int large = 4000;  // cells; a second choice would cost seconds
   std::vector<PlanarMesh> out;
   std::optional<SolverError> failure;
   for (const PlanarMesh& pattern : structured_candidates(task.loops, task.options.size))
     out.push_back(smoothed(pattern, task.options.metric, task.context));
   if (worst(out, task.options.metric) >= good_enough) return out;
-  for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms})
+  for (const auto algorithm : {GmshAlgorithm::frontal, GmshAlgorithm::parallelograms}) {
+    const bool is_large = !out.empty() && out.back().n_cells() > large;
+    if (is_large && worst(out, task.options.metric) >= decent) break;
     try_to_add([&] { return unstructured(algorithm, task); }, out, failure);
+  }
   if (worst(out, task.options.metric) < poor) {
     try_to_add([&] { return by_halving(task); }, out, failure);
     for (std::size_t i = 0, n = out.size(); i < n; ++i)

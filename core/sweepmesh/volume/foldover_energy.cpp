@@ -124,13 +124,14 @@ class Memory {
 
 /// One round: up to max_steps steps with one eps. Returns the energy.
 double descend(const UnfoldProblem& problem, const FirstMatrix& first, double eps,
-               const UnfoldOptions& options, Points& x) {
+               const UnfoldOptions& options, const Context& context, Points& x) {
   constexpr double sufficient = 1e-4;  // Armijo's constant
   constexpr int max_halvings = 30;
   Points gradient(problem.n_free, 3), next_gradient(problem.n_free, 3);
-  double energy = foldover_energy(problem, x, eps, options.volume_weight, &gradient);
+  double energy = foldover_energy(problem, x, eps, options, &gradient);
   Memory memory;
   for (int step = 0; step < options.max_steps; ++step) {
+    context.check("place");
     Points direction = memory.direction(gradient, first);
     keep_in_planes(problem, direction);
     double slope = product(gradient, direction);
@@ -140,7 +141,7 @@ double descend(const UnfoldProblem& problem, const FirstMatrix& first, double ep
     int halving = 0;
     for (; halving < max_halvings; ++halving, length *= 0.5) {
       trial.topRows(problem.n_free) = x.topRows(problem.n_free) + length * direction;
-      next = foldover_energy(problem, trial, eps, options.volume_weight, &next_gradient);
+      next = foldover_energy(problem, trial, eps, options, &next_gradient);
       if (next <= energy + sufficient * length * slope) break;
     }
     if (halving == max_halvings) break;
@@ -157,7 +158,7 @@ double descend(const UnfoldProblem& problem, const FirstMatrix& first, double ep
 }  // namespace
 
 double foldover_energy(const UnfoldProblem& problem, const Points& x, double eps,
-                       double volume_weight, Points* gradient) {
+                       const UnfoldOptions& options, Points* gradient) {
   if (gradient) gradient->setZero(problem.n_free, 3);
   double energy = 0.0;
   for (const CornerTet& corner : problem.corners) {
@@ -169,11 +170,14 @@ double foldover_energy(const UnfoldProblem& problem, const Points& x, double eps
     const double slope = chi / root;  // of chi
     const double power = std::cbrt(chi * chi);
     const double shape = trace / (3.0 * power), volume = 0.5 * (d * d + 1.0) / chi;
-    energy += shape + volume_weight * volume;
+    const double one = shape + options.volume_weight * volume;
+    const double less = std::pow(one, options.power - 1);
+    energy += less * one;
     if (!gradient) continue;
     const double by_d =
-        -2.0 / 3.0 * shape * slope / chi + volume_weight * (d - volume * slope) / chi;
-    add_to_nodes(corner, problem.n_free, (2.0 / (3.0 * power)) * j + by_d * cofactor, *gradient);
+        -2.0 / 3.0 * shape * slope / chi + options.volume_weight * (d - volume * slope) / chi;
+    add_to_nodes(corner, problem.n_free,
+                 options.power * less * ((2.0 / (3.0 * power)) * j + by_d * cofactor), *gradient);
   }
   if (gradient) keep_in_planes(problem, *gradient);
   return energy;
@@ -186,7 +190,8 @@ double least_determinant(const UnfoldProblem& problem, const Points& x) {
   return least;
 }
 
-double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options) {
+double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options,
+                         const Context& context) {
   constexpr double smallest_eps = 1e-6;
   const FirstMatrix first(problem);
   constexpr int most_idle = 3;  // rounds that unfold nothing more
@@ -196,7 +201,7 @@ double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOp
     // The schedule of the paper's listing: eps follows the worst determinant down.
     const double folded = std::min(least, 0.0);
     const double eps = std::sqrt(smallest_eps * smallest_eps + 0.04 * folded * folded);
-    const double energy = descend(problem, first, eps, options, x);
+    const double energy = descend(problem, first, eps, options, context, x);
     const double before = least;
     least = least_determinant(problem, x);
     const bool has_settled =

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "sweepmesh/base/context.h"
 #include "sweepmesh/base/geometry.h"
 
 namespace sweepmesh {
@@ -36,14 +37,15 @@ struct UnfoldProblem {
 
 struct UnfoldOptions {
   double volume_weight = 1.0 / 16.0;  ///< of the volume term, > 0
-  int max_rounds = 40;                ///< times that eps is set anew, >= 1
-  int max_steps = 60;                 ///< quasi-Newton steps for one eps, >= 1
+  int power = 1;  ///< of each corner's energy in the sum, >= 1; a greater one cares for the worst
+  int max_rounds = 40;             ///< times that eps is set anew, >= 1
+  int max_steps = 60;              ///< quasi-Newton steps for one eps, >= 1
   double stop_at_decrease = 1e-3;  ///< relative decrease of the energy in a round that ends the run
 };
 
 /// Energy at `x`, and (if asked for) its gradient with respect to the free nodes.
 double foldover_energy(const UnfoldProblem& problem, const Points& x, double eps,
-                       double volume_weight, Points* gradient);
+                       const UnfoldOptions& options, Points* gradient);
 
 /// Least det J over the corners.
 double least_determinant(const UnfoldProblem& problem, const Points& x);
@@ -52,6 +54,8 @@ double least_determinant(const UnfoldProblem& problem, const Points& x);
 /// quadratic form sum tr(J^T J), so that the number of steps hardly grows with the patch.
 /// Deterministic. Returns the least det J that was reached. Cost of a step: linear in the corners,
 /// plus one back substitution.
-double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options);
+/// Throws Cancelled between two steps.
+double minimise_foldover(const UnfoldProblem& problem, Points& x, const UnfoldOptions& options,
+                         const Context& context);
 
 }  // namespace sweepmesh

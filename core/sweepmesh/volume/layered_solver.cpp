@@ -239,7 +239,9 @@ class Multigrid {
   int n_levels() const { return static_cast<int>(levels_.size()); }
 
   /// x = one V-cycle for the right-hand side b, from zero; r and d are work space.
-  void cycle(const Vector& b, Vector& x, Vector& r, Vector& d) { cycle(0, b, x, r, d); }
+  void cycle(const Vector& b, Vector& x, Vector& r, Vector& d, const Context& context) {
+    cycle(0, b, x, r, d, context);
+  }
 
  private:
   static int n_empty(const LayeredLevel& level) {
@@ -249,7 +251,8 @@ class Multigrid {
     return n;
   }
 
-  void cycle(int l, const Vector& b, Vector& x, Vector& r, Vector& d) {
+  void cycle(int l, const Vector& b, Vector& x, Vector& r, Vector& d, const Context& context) {
+    context.check("place");
     const Level& level = *levels_[l];
     std::fill(x.begin(), x.end(), 0.0f);
     r = b;
@@ -261,7 +264,8 @@ class Multigrid {
     }
     restrict_to(l, r, right_[l]);
     Vector work(right_[l].size());
-    cycle(l + 1, right_[l], solution_[l], work, direction_[l]);
+    cycle(l + 1, right_[l], solution_[l], work, direction_[l], context);
+    context.check("place");
     prolong(l, solution_[l], d);
     level.for_columns([&](int c) {
       const long begin = level.system().offset[c];
@@ -329,7 +333,7 @@ SolverReport solve(LayeredLevel finest, std::vector<float>& x, const SolverOptio
   double first = 0.0, last = 1.0;
   while (true) {
     context.check("place");
-    multigrid.cycle(r, z, q, d);
+    multigrid.cycle(r, z, q, d, context);
     const double rz = dot(level, r, z);
     if (report.n_iterations == 0) first = rz;
     if (!(rz > 0.0)) break;

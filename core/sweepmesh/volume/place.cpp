@@ -77,38 +77,56 @@ void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const
   if (!left.empty()) throw_invalid(left, "the mesh of the boundary leaves no room for them.");
 }
 
-/// Elements up to the threshold of improvement get better where they can.
-ElementCheck improve_poor(const Extrusion& x, const std::vector<char>& fixed,
-                          const BaseMetric& metric, const PlacementOptions& options,
-                          const std::vector<long>& poor, Points& points, ThreadTeam& team,
-                          const Context& context) {
+/// Improves the elements up to `threshold` where they can be; returns the least value then.
+double improve_poor(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+                    const PlacementOptions& options, double threshold, int power, Points& points,
+                    PlacementReport& report, ThreadTeam& team, const Context& context) {
+  const ElementCheck check = check_elements(x, points, threshold, team);
+  const long n_poor = static_cast<long>(check.bad.size());
+  report.n_poor_before = std::max(report.n_poor_before, n_poor);
+  if (n_poor == 0 || n_poor > options.improve_at_most) return check.min_scaled_jacobian;
   UntangleOptions how;
-  how.threshold = options.improve_up_to;
+  how.threshold = threshold;
   how.max_attempts = 1;
+  how.energy.power = power;
+  how.keeps_lengths = power > 1;
   how.sliding = options.sliding;
-  untangle(x, metric, fixed, points, how, poor, team, context);
-  return check_elements(x, points, options.improve_up_to, team);
+  untangle(x, metric, fixed, points, how, check.bad, team, context);
+  return check_elements(x, points, threshold, team).min_scaled_jacobian;
+}
+
+/// Poor elements first, then those near the least value, until they get no better.
+double improve(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+               const PlacementOptions& options, double least, Points& points,
+               PlacementReport& report, ThreadTeam& team, const Context& context) {
+  constexpr int most_lifts = 4, even = 1, worst_first = 4;
+  if (least <= options.improve_up_to)
+    least = improve_poor(x, fixed, metric, options, options.improve_up_to, even, points, report,
+                         team, context);
+  for (int lift = 0; lift < most_lifts && least < options.lift_below; ++lift) {
+    const double before = least, threshold = least + options.lift_within;
+    least = improve_poor(x, fixed, metric, options, threshold, worst_first, points, report, team,
+                         context);
+    if (least < before + 0.25 * options.lift_within) break;
+  }
+  return least;
 }
 
 void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
                    const PlacementOptions& options, Points& points, PlacementReport& report,
                    ThreadTeam& team, const Context& context) {
-  ElementCheck check = check_elements(x, points, std::max(0.0, options.improve_up_to), team);
-  if (!(check.min_scaled_jacobian > 0.0)) {
-    const std::vector<long> inverted = check_elements(x, points, 0.0, team).bad;
-    report.n_inverted_before = static_cast<long>(inverted.size());
-    if (options.max_attempts > 0) {
-      untangle_inverted(x, fixed, metric, options, inverted, points, team, context);
-      check = check_elements(x, points, options.improve_up_to, team);
-    } else {
-      report.inverted = inverted;
-    }
+  ElementCheck check = check_elements(x, points, 0.0, team);
+  report.n_inverted_before = static_cast<long>(check.bad.size());
+  if (!check.bad.empty() && options.max_attempts > 0) {
+    untangle_inverted(x, fixed, metric, options, check.bad, points, team, context);
+    check = check_elements(x, points, 0.0, team);
   }
-  report.n_poor_before = static_cast<long>(check.bad.size());
-  if (check.min_scaled_jacobian > 0.0 && report.n_poor_before > 0 &&
-      report.n_poor_before <= options.improve_at_most)
-    check = improve_poor(x, fixed, metric, options, check.bad, points, team, context);
+  report.inverted = check.bad;
   report.min_scaled_jacobian = check.min_scaled_jacobian;
+  // Where no residual was left, the layers are exact images of the caps and stay so.
+  if (check.bad.empty() && report.was_solved)
+    report.min_scaled_jacobian = improve(x, fixed, metric, options, check.min_scaled_jacobian,
+                                         points, report, team, context);
 }
 
 }  // namespace

@@ -25,10 +25,14 @@ struct PlacementOptions {
   double negligible_residual = 1e-10;
   /// Factor by which the solver reduces its own residual, in (0, 1).
   double reduction = 1e-4;
-  /// Elements with a scaled Jacobian up to this are improved, once all are positive; in 0..1.
+  /// Elements with a scaled Jacobian up to this are improved, once all are positive and if a
+  /// residual was solved for (layers that are exact images of the caps stay so); in 0..1.
   double improve_up_to = 0.2;
-  /// They are left as they are when there are more than this: then the shape itself asks for them,
-  /// there is nothing local to improve, and the time would no longer be linear.
+  /// While the least value is below the first number, elements within the second of it are improved
+  /// too, for as long as that helps; 0 and 0 switch it off.
+  double lift_below = 0.7, lift_within = 0.03;
+  /// Nothing is improved when there are more such elements than this: then the shape itself asks
+  /// for them, there is nothing local to improve, and the time would no longer be linear.
   long improve_at_most = 20000;
   /// Attempts to untangle, each with twice the rings of neighbours; 0 leaves inverted elements
   /// alone.

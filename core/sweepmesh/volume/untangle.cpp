@@ -105,14 +105,15 @@ class PatchFinder {
 /// Ideal corners of an element, from the intrinsic metric.
 class IdealElement {
  public:
-  IdealElement(const Extrusion& x, const BaseMetric& metric, const Points& points)
-      : x_(x), metric_(metric), points_(points) {}
+  IdealElement(const Extrusion& x, const BaseMetric& metric, const Points& points,
+               bool keeps_lengths)
+      : x_(x), metric_(metric), points_(points), keeps_lengths_(keeps_lengths) {}
 
   /// Calls f(o, a, b, c, W) for each corner; W is the matrix of the ideal edges.
   template <class F>
   void for_corners(SweptElement e, F&& f) const {
     const int n = x_.cell_size(e.cell);
-    const double angle = std::numbers::pi * (1.0 - 2.0 / n), height = metric_.height_of(e.k);
+    const double angle = std::numbers::pi * (1.0 - 2.0 / n);
     const int* columns = x_.cell_columns.data() + x_.cell_offset[e.cell];
     for (int i = 0; i < n; ++i) {
       const int next = columns[(i + 1) % n], last = columns[(i + n - 1) % n], own = columns[i];
@@ -120,25 +121,30 @@ class IdealElement {
         const int k = e.k + up, a = up ? last : next, b = up ? next : last;
         const double la = length(e.cell, own, a, k), lb = length(e.cell, own, b, k);
         Eigen::Matrix3d w;
-        w << la, lb * std::cos(angle), 0, 0, lb * std::sin(angle), 0, 0, 0, height;
+        w << la, lb * std::cos(angle), 0, 0, lb * std::sin(angle), 0, 0, 0, height(own, e.k);
         f(x_.node(own, k), x_.node(a, k), x_.node(b, k), x_.node(own, up ? e.k : e.k + 1), w);
       }
     }
   }
 
  private:
+  double distance(int a, int ka, int b, int kb) const {
+    return (points_.row(x_.node(a, ka)) - points_.row(x_.node(b, kb))).norm();
+  }
+  double height(int column, int k) const {
+    return keeps_lengths_ ? distance(column, k, column, k + 1) : metric_.height_of(k);
+  }
   double length(int cell, int a, int b, int k) const {
+    if (keeps_lengths_) return distance(a, k, b, k);
     const int low = x_.cell_k_low[cell], high = x_.cell_k_high[cell];
     const double s = static_cast<double>(k - low) / (high - low);
-    const auto at = [&](int end) {
-      return (points_.row(x_.node(a, end)) - points_.row(x_.node(b, end))).norm();
-    };
-    return (1.0 - s) * at(low) + s * at(high);
+    return (1.0 - s) * distance(a, low, b, low) + s * distance(a, high, b, high);
   }
 
   const Extrusion& x_;
   const BaseMetric& metric_;
   const Points& points_;
+  bool keeps_lengths_;
 };
 
 /// The energy's problem on one patch, with its nodes numbered anew: free ones first.
@@ -208,19 +214,25 @@ Worth worth_of(const Extrusion& x, const ElementIndex& index, const Points& poin
 }
 
 void mend(const Extrusion& x, const BaseMetric& metric, const ElementIndex& index,
-          const Patch& patch, const UntangleOptions& options, Points& points) {
+          const Patch& patch, const UntangleOptions& options, const Context& context,
+          Points& points) {
   if (patch.free_nodes.empty()) return;
-  const IdealElement ideal(x, metric, points);
+  const IdealElement ideal(x, metric, points, options.keeps_lengths);
   PatchProblem local(patch, index, ideal, options.sliding, points);
   const Points before = local.x.topRows(local.problem.n_free);
   const Worth old_worth = worth_of(x, index, points, patch.elements, options.threshold);
-  minimise_foldover(local.problem, local.x, options.energy);
+  minimise_foldover(local.problem, local.x, options.energy, context);
   const auto put = [&](const Points& rows) {
     for (int i = 0; i < local.problem.n_free; ++i) points.row(patch.free_nodes[i]) = rows.row(i);
   };
-  put(local.x);
-  const Worth new_worth = worth_of(x, index, points, patch.elements, options.threshold);
-  if (!new_worth.is_better_than(old_worth)) put(before);
+  // The least energy is not the greatest least value: part of the way may be better than all of it.
+  const Points after = local.x.topRows(local.problem.n_free);
+  for (const double part : {1.0, 0.5, 0.25, 0.125}) {
+    put(before + part * (after - before));
+    if (worth_of(x, index, points, patch.elements, options.threshold).is_better_than(old_worth))
+      return;
+  }
+  put(before);
 }
 
 }  // namespace
@@ -245,8 +257,7 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
     if (size == last_size) break;  // rings have reached the ends of the mesh
     last_size = size;
     team.for_chunks(static_cast<long>(patches.size()), 1, [&](long p, long, long) {
-      context.check("place");
-      mend(extrusion, metric, index, patches[p], options, points);
+      mend(extrusion, metric, index, patches[p], options, context, points);
     });
     Numbers remaining;
     report.n_moved = 0;

@@ -30,6 +30,10 @@ struct UntangleOptions {
   double threshold = 0.0;  ///< elements with a scaled Jacobian up to this are to be mended
   int first_rings = 2;     ///< rings of elements around them that may move, >= 1
   int max_attempts = 5;    ///< each with twice the rings of the one before, >= 1
+  /// Ideal corners have the lengths that their edges have now, at right (or regular) angles: for
+  /// valid elements, whose scaled Jacobian knows angles only. Otherwise the lengths of the
+  /// idealised model.
+  bool keeps_lengths = false;
   std::vector<SlidingNode> sliding;  ///< ascending by node
   UnfoldOptions energy;
 };

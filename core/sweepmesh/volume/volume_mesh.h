@@ -1,13 +1,13 @@
 // The result: nodes, elements by kind, groups, and where each node came from.
 //
-//   hexahedron       7------6     prism      5        Node order is VTK's and Abaqus': the first
-//   ring
-//                   /|     /|               /|\       counterclockwise seen from the second, which
-//                   lies
-//                  4------5 |              3---4      above it. (FreeCAD's own order is the mirror
-//                  image; | 3----|-2              | 2 |      see io/ and Mod/sweepmesh/app.)
+// clang-format off
+//   hexahedron       7------6     prism      5     The first ring is counterclockwise seen from the second,
+//                   /|     /|               /|\    which lies above it: VTK's and Abaqus' order for hexahedra,
+//                  4------5 |              3---4   Abaqus' for prisms. Other orders (VTK's prisms, FreeCAD's
+//                  | 3----|-2              | 2 |   own) are in Mod/sweepmesh/engine/numbering.py.
 //                  |/     |/               |/ \|
 //                  0------1                0---1
+// clang-format on
 #pragma once
 
 #include <array>

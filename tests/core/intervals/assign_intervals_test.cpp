@@ -268,6 +268,7 @@ TEST(AssignIntervals, RefusesSenselessOptions) {
   thrown_by<InputError>(c, {.size = 1.0, .edge_count = {{edge, 0}}});
   thrown_by<InputError>(c, {.size = 1.0, .edge_count = {{unknown, 2}}});
   thrown_by<InputError>(c, {.size = 1.0, .edge_bias = {{edge, Bias{0.0}}}});
+  thrown_by<InputError>(c, {.size = 1.0, .sweep_bias = Bias{-1.0}});
   thrown_by<InputError>(c, {.size = 1.0, .equal_edges = {{edge, unknown}}});
   thrown_by<InputError>(c, {.size = 1.0, .max_turn = 0.0});
 }

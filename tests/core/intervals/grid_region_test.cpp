@@ -131,8 +131,8 @@ TEST(Region, WhatIsNone) {
   EXPECT_FALSE(fill_region({loop({0, 0}, "R4"), loop({0, 3}, "L5")}, 4)) << "rims differ";
 }
 
-/// A C whose lower arm ends in a hook that reaches into the upper arm: a walk of total turn 4 that covers
-/// one cell twice.
+/// A C whose lower arm ends in a hook that reaches into the upper arm: a walk of total turn 4 that
+/// covers one cell twice.
 TEST(Region, OverlappingArms) {
   EXPECT_FALSE(fill_region({loop({0, 0}, "R6 U4 L1 D2 L4 U1 R5 U3 L6 D6")}));
   EXPECT_TRUE(fill_region({loop({0, 0}, "R6 U4 L1 D2 L4 U3 R5 U3 L6 D8")}));

@@ -43,9 +43,12 @@ void expect_conforming(const VolumeMesh& mesh) {
 
 double distance_to_owner(const Model& model, const Owner& owner, const Point3& p) {
   switch (owner.kind) {
-    case EntityKind::vertex: return (model.point(VertexId{owner.index}) - p).norm();
-    case EntityKind::edge: return model.distance(EdgeId{owner.index}, p);
-    case EntityKind::face: return model.distance(FaceId{owner.index}, p);
+    case EntityKind::vertex:
+      return (model.point(VertexId{owner.index}) - p).norm();
+    case EntityKind::edge:
+      return model.distance(EdgeId{owner.index}, p);
+    case EntityKind::face:
+      return model.distance(FaceId{owner.index}, p);
   }
   return std::numeric_limits<double>::infinity();
 }
@@ -67,8 +70,7 @@ void expect_every_face_covered(const Model& model, const VolumeMesh& mesh) {
     const auto p = [&](int i) { return Point3(mesh.points.row(n[i])); };
     area[mesh.boundary_face[c]] += (p(2) - p(0)).cross(p(3) - p(1)).norm() / 2;
   }
-  for (const FaceId f : model.faces())
-    EXPECT_NEAR(area[f] / model.area(f), 1, 0.06) << name_of(f);
+  for (const FaceId f : model.faces()) EXPECT_NEAR(area[f] / model.area(f), 1, 0.06) << name_of(f);
 }
 
 void expect_valid_sweep(const Model& model, const SweepResult& result) {
@@ -87,11 +89,13 @@ SweepResult swept(const Model& model, const SweepOptions& options = {}, const Pi
   return sweep(model, picks, options, context);
 }
 
-class OneToOne : public testing::TestWithParam<test::NamedModel> {};
+class EverySweep : public testing::TestWithParam<test::NamedModel> {};
 
-TEST_P(OneToOne, meshes_without_picks) { expect_valid_sweep(GetParam().model, swept(GetParam().model)); }
+TEST_P(EverySweep, meshes_without_picks) {
+  expect_valid_sweep(GetParam().model, swept(GetParam().model));
+}
 
-TEST_P(OneToOne, is_the_same_on_every_run_and_any_number_of_threads) {
+TEST_P(EverySweep, is_the_same_on_every_run_and_any_number_of_threads) {
   Context one(1), two(2);
   const SweepResult a = sweep(GetParam().model, {}, {}, one);
   const SweepResult b = sweep(GetParam().model, {}, {}, two);
@@ -99,7 +103,7 @@ TEST_P(OneToOne, is_the_same_on_every_run_and_any_number_of_threads) {
   EXPECT_EQ(a.mesh.hexahedra, b.mesh.hexahedra);
 }
 
-TEST_P(OneToOne, second_order_keeps_the_corners_and_nears_the_volume) {
+TEST_P(EverySweep, second_order_keeps_the_corners_and_nears_the_volume) {
   SweepOptions options;
   const SweepResult first = swept(GetParam().model, options);
   options.order = 2;
@@ -115,8 +119,11 @@ std::string name_of_case(const testing::TestParamInfo<test::NamedModel>& info) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
-INSTANTIATE_TEST_SUITE_P(Prisms, OneToOne, testing::ValuesIn(test::prisms()), name_of_case);
-INSTANTIATE_TEST_SUITE_P(General, OneToOne, testing::ValuesIn(test::general_one_to_one()),
+INSTANTIATE_TEST_SUITE_P(Prisms, EverySweep, testing::ValuesIn(test::prisms()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(General, EverySweep, testing::ValuesIn(test::general_one_to_one()),
+                         name_of_case);
+
+INSTANTIATE_TEST_SUITE_P(ManyToOne, EverySweep, testing::ValuesIn(test::many_to_one()),
                          name_of_case);
 
 TEST(Sweep, size_and_layers_are_kept) {
@@ -146,7 +153,8 @@ TEST(Sweep, solids_without_a_sweep_are_refused_with_reasons) {
 
 TEST(Sweep, options_that_make_no_sense_are_refused) {
   const Model model = test::box(1, 1, 1);
-  for (const double size : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e-6}) {
+  for (const double size :
+       {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e-6}) {
     SweepOptions options;
     options.size = size;
     EXPECT_THROW(swept(model, options), InputError) << size;

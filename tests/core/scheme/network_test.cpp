@@ -8,6 +8,7 @@
 #include "sweepmesh/numerics/lp/integer_program.h"
 #include "sweepmesh/scheme/counts.h"
 #include "sweepmesh/scheme/levels.h"
+#include "sweepmesh/scheme/prismatic.h"
 #include "sweepmesh/scheme/role_search.h"
 
 namespace sweepmesh {
@@ -142,6 +143,17 @@ Division best_of(const Network& network) {
   auto result = search_divisions(network, open_choices(network), options, context);
   EXPECT_FALSE(result.divisions.empty());
   return result.divisions.front();
+}
+
+TEST(Prismatic, GuessesTheAxisOfEveryPrism) {
+  for (const auto& [name, model] : test::prisms()) {
+    const Network network = network_of(model);
+    Context context;
+    const auto guessed = prismatic_divisions(network, context);
+    ASSERT_FALSE(guessed.empty()) << name;
+    EXPECT_NEAR(guessed.front().cost, best_of(network).cost, 1e-9) << name;
+    for (const Division& d : guessed) EXPECT_TRUE(level_groups(network, d.choices)) << name;
+  }
 }
 
 TEST(Levels, AxialCycleIsFound) {

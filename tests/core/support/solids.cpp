@@ -14,8 +14,10 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <numbers>
@@ -40,22 +42,34 @@ TopoDS_Wire polygon(const std::vector<Point2>& points, double z = 0) {
 }
 
 TopoDS_Shape extruded(const std::vector<Point2>& outline, double height) {
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon(outline)).Face(), gp_Vec(0, 0, height))
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon(outline)).Face(),
+                               gp_Vec(0, 0, height))
       .Shape();
 }
 
 TopoDS_Shape block(const Point3& low, const Point3& high) {
-  return BRepPrimAPI_MakeBox(gp_Pnt(low.x(), low.y(), low.z()), gp_Pnt(high.x(), high.y(), high.z()))
+  return BRepPrimAPI_MakeBox(gp_Pnt(low.x(), low.y(), low.z()),
+                             gp_Pnt(high.x(), high.y(), high.z()))
       .Shape();
 }
 
 TopoDS_Shape cylinder(const Point3& foot, double radius, double height) {
-  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(foot.x(), foot.y(), foot.z()), gp_Dir(0, 0, 1)), radius,
-                                  height)
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(foot.x(), foot.y(), foot.z()), gp_Dir(0, 0, 1)),
+                                  radius, height)
       .Shape();
 }
 
-TopoDS_Shape cut(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Cut(a, b).Shape(); }
+TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts) {
+  BRep_Builder builder;
+  TopoDS_Compound out;
+  builder.MakeCompound(out);
+  for (const TopoDS_Shape& part : parts) builder.Add(out, part);
+  return out;
+}
+
+TopoDS_Shape cut(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  return BRepAlgoAPI_Cut(a, b).Shape();
+}
 
 TopoDS_Shape fused(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   ShapeUpgrade_UnifySameDomain unify(BRepAlgoAPI_Fuse(a, b).Shape());
@@ -89,7 +103,20 @@ TopoDS_Shape loft(const std::vector<TopoDS_Wire>& wires) {
 
 }  // namespace
 
-Model box(double x, double y, double z) { return to_model(block({0, 0, 0}, {x, y, z})); }
+Model box(double x, double y, double z) {
+  return to_model(block({0, 0, 0}, {x, y, z}));
+}
+
+Model two_boxes(double gap) {
+  return to_model(
+      compound({block({0, 0, 0}, {10, 10, 10}), block({10 + gap, 0, 0}, {20 + gap, 10, 10})}));
+}
+
+Model box_and_ball() {
+  const gp_Pnt centre(30, 0, 0);
+  return to_model(
+      compound({block({0, 0, 0}, {10, 10, 10}), BRepPrimAPI_MakeSphere(centre, 5).Shape()}));
+}
 
 std::vector<NamedModel> prisms() {
   const TopoDS_Shape plate = block({0, 0, 0}, {60, 40, 8});
@@ -117,9 +144,10 @@ std::vector<NamedModel> general_one_to_one() {
 std::vector<NamedModel> many_to_one() {
   const TopoDS_Shape base = block({0, 0, 0}, {40, 30, 10});
   const TopoDS_Shape boss = fused(base, cylinder({20, 15, 10}, 8, 12));
-  return {{"step", to_model(extruded({{0, 0}, {30, 0}, {30, 10}, {15, 10}, {15, 20}, {0, 20}}, 12))},
-          {"boss on a plate", to_model(boss)},
-          {"blind hole", to_model(cut(base, cylinder({20, 15, 4}, 8, 12)))}};
+  return {
+      {"step", to_model(extruded({{0, 0}, {30, 0}, {30, 10}, {15, 10}, {15, 20}, {0, 20}}, 12))},
+      {"boss on a plate", to_model(boss)},
+      {"blind hole", to_model(cut(base, cylinder({20, 15, 4}, 8, 12)))}};
 }
 
 std::vector<NamedModel> unsweepable() {

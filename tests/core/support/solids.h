@@ -15,7 +15,8 @@ struct NamedModel {
 
 /// Right prisms over a square, an L, a hexagon, a disc, a ring, a plate with several holes.
 std::vector<NamedModel> prisms();
-/// Frustum of a cone, quarter of a tube's bend, tapered box, twisted square prism, lofted square to circle.
+/// Frustum of a cone, quarter of a tube's bend, tapered box, twisted square prism, lofted square to
+/// circle.
 std::vector<NamedModel> general_one_to_one();
 /// Terraced and stepped solids, many sources over one target.
 std::vector<NamedModel> many_to_one();
@@ -23,5 +24,11 @@ std::vector<NamedModel> many_to_one();
 std::vector<NamedModel> unsweepable();
 
 Model box(double x, double y, double z);
+
+/// Two boxes of side 10, the second `gap` beyond the first along x: Face1 to Face6 and Face7 to
+/// Face12.
+Model two_boxes(double gap);
+/// A box, and apart from it a ball.
+Model box_and_ball();
 
 }  // namespace sweepmesh::test

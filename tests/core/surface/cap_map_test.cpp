@@ -25,6 +25,14 @@ PlanarMesh meshed(const PlanarLoops& loops, double size) {
   return mesh_planar(loops, options, context);
 }
 
+/// Every third: patterns, unstructured ones and several loops are among them.
+std::vector<Outline> some_outlines() {
+  std::vector<Outline> out;
+  const auto all = outlines();
+  for (std::size_t i = 0; i < all.size(); i += 3) out.push_back(all[i]);
+  return out;
+}
+
 PlanarLoops block_with_hole(double size) {
   return {rectangle({0, 0}, {60, 60}, size), as_hole(rectangle({22, 22}, {38, 38}, size))};
 }
@@ -35,7 +43,7 @@ std::vector<Point2> boundary_of(const PlanarMesh& mesh) {
 
 TEST(CapMap, affine_motions_are_reproduced) {
   const Context context;
-  for (const Outline& outline : outlines()) {
+  for (const Outline& outline : some_outlines()) {
     const PlanarMesh mesh = meshed(outline.loops, outline.size);
     Eigen::Matrix2d a;
     a << 1.4, 0.3, -0.5, 0.9;
@@ -51,7 +59,7 @@ TEST(CapMap, affine_motions_are_reproduced) {
 }
 
 TEST(CapMap, harmonic_values_lie_between_those_of_the_boundary) {
-  for (const Outline& outline : outlines()) {
+  for (const Outline& outline : some_outlines()) {
     const PlanarMesh mesh = meshed(outline.loops, outline.size);
     std::vector<Point2> values(mesh.n_boundary);
     std::mt19937 random(7);
@@ -183,7 +191,7 @@ TEST(CapMap, at_random_nothing_is_inverted_while_the_target_is_a_domain) {
   for (const double strength : {0.5, 1.0, 1.5}) {
     int n_cases = 0, n_valid = 0, n_harmonic_valid = 0, n_alone_valid = 0;
     double worst = 1.0, sum = 0.0;
-    for (int seed = 0; seed < 6; ++seed) {
+    for (int seed = 0; seed < 4; ++seed) {
       const RandomCase c = random_case(seed, strength);
       if (!is_domain(c.target)) continue;
       ++n_cases;
@@ -220,7 +228,7 @@ TEST(CapFoldover, a_tangled_mesh_is_untangled_and_a_valid_one_stays_valid) {
   const Context context;
   std::mt19937 random(3);
   std::normal_distribution<double> normal(0.0, 1.0);
-  for (const Outline& outline : outlines()) {
+  for (const Outline& outline : some_outlines()) {
     const PlanarMesh mesh = meshed(outline.loops, outline.size);
     PlanarMesh tangled = mesh;
     for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i)

@@ -17,6 +17,7 @@
 #include <gp_Circ.hxx>
 #include <numbers>
 #include <sstream>
+#include <stdexcept>
 
 namespace sweepmesh::test {
 namespace {
@@ -66,22 +67,26 @@ TopoDS_Shape square_to_circle() {
 
 }  // namespace
 
-std::vector<CurvedSolid> curved_solids() {
-  const TopoDS_Shape dome = domed(12);
-  const TopoDS_Shape bowl =
-      cut(cylinder(0, 0, 0, 12, 20), BRepPrimAPI_MakeSphere(upwards(0, 0, 24), 11).Shape());
-  return {{"dome", to_model(dome), 2.0},
-          {"flat_dome", to_model(domed(40)), 2.0},
-          {"dome_drilled_at_its_pole", to_model(cut(dome, cylinder(0, 0, -1, 4, 30))), 2.0},
-          {"dome_drilled_aside", to_model(cut(dome, cylinder(4, 1, -1, 3, 30))), 1.5},
-          {"bowl", to_model(bowl), 2.0},
-          {"cone", to_model(BRepPrimAPI_MakeCone(8, 0, 12).Shape()), 2.0},
-          {"frustum", to_model(BRepPrimAPI_MakeCone(8, 5, 9).Shape()), 2.0},
-          {"octant", to_model(BRepPrimAPI_MakeSphere(10, 0, pi / 2, pi / 2).Shape()), 1.8},
-          {"zone", to_model(BRepPrimAPI_MakeSphere(10, -0.6, 0.7).Shape()), 2.0},
-          {"bend", to_model(BRepPrimAPI_MakeTorus(20, 5, pi / 2).Shape()), 2.5},
-          {"wedge_of_a_pipe", to_model(BRepPrimAPI_MakeCylinder(10, 12, 2.0).Shape()), 2.0},
-          {"square_to_circle", to_model(square_to_circle()), 2.0}};
+CurvedSolid curved_solid(const std::string& name) {
+  const auto solid = [&](const TopoDS_Shape& shape, double size) {
+    return CurvedSolid{name, to_model(shape), size};
+  };
+  if (name == "dome") return solid(domed(12), 2.0);
+  if (name == "flat_dome") return solid(domed(14), 2.0);
+  if (name == "dome_drilled_at_its_pole")
+    return solid(cut(domed(12), cylinder(0, 0, -1, 4, 30)), 2.0);
+  if (name == "dome_drilled_aside") return solid(cut(domed(12), cylinder(4, 1, -1, 3, 30)), 1.5);
+  if (name == "bowl")
+    return solid(
+        cut(cylinder(0, 0, 0, 12, 20), BRepPrimAPI_MakeSphere(upwards(0, 0, 24), 11).Shape()), 2.0);
+  if (name == "cone") return solid(BRepPrimAPI_MakeCone(8, 0, 12).Shape(), 2.0);
+  if (name == "frustum") return solid(BRepPrimAPI_MakeCone(8, 5, 9).Shape(), 2.0);
+  if (name == "octant") return solid(BRepPrimAPI_MakeSphere(10, 0, pi / 2, pi / 2).Shape(), 1.8);
+  if (name == "zone") return solid(BRepPrimAPI_MakeSphere(10, -0.6, 0.7).Shape(), 2.0);
+  if (name == "bend") return solid(BRepPrimAPI_MakeTorus(20, 5, pi / 2).Shape(), 2.5);
+  if (name == "wedge") return solid(BRepPrimAPI_MakeCylinder(10, 12, 2.0).Shape(), 2.0);
+  if (name == "square_to_circle") return solid(square_to_circle(), 2.0);
+  throw std::invalid_argument(name);
 }
 
 EdgeRows edge_rows(const Model& model, double size) {

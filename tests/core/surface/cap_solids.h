@@ -1,6 +1,7 @@
 // Solids with curved faces of every kind that a cap may be, and nodes on their edges.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,21 @@ struct CurvedSolid {
 /// Domes with the pole inside, drilled through the pole and beside it, hollow; a cone with its
 /// apex; an octant of a ball with the pole on its boundary; bands of cylinder, cone, ball and
 /// torus; a lofted side.
-std::vector<CurvedSolid> curved_solids();
+inline constexpr std::array curved_names = {"dome",
+                                            "flat_dome",
+                                            "dome_drilled_at_its_pole",
+                                            "dome_drilled_aside",
+                                            "bowl",
+                                            "cone",
+                                            "frustum",
+                                            "octant",
+                                            "zone",
+                                            "bend",
+                                            "wedge",
+                                            "square_to_circle"};
+
+/// One of the names; made when asked for.
+CurvedSolid curved_solid(const std::string& name);
 
 /// An even number of equal edges of about `size` on every CAD edge.
 struct EdgeRows {

@@ -135,6 +135,20 @@ TEST(LinkingFaces, GradedEdgesGradeTheInterior) {
     }
 }
 
+TEST(LinkingFaces, BiasAlongTheSweep) {
+  for (const auto& [name, shape] : family()) {
+    SCOPED_TRACE(name);
+    const LinkingMesh m = mesh_upright(shape, {.size = 4.0, .sweep_bias = Bias{1.2}});
+    expect_valid_linking_mesh(m, 0.05);
+  }
+  const LinkingMesh m = mesh_upright(box(10, 10, 10), {.size = 1.0, .sweep_bias = Bias{1.2}});
+  for (const auto& chain : columns_from(m.mesh).chains)
+    for (std::size_t j = 2; j < chain.size(); ++j) {
+      const auto z = [&](std::size_t at) { return m.mesh.points[chain[at].index].z(); };
+      EXPECT_NEAR((z(j) - z(j - 1)) / (z(j - 1) - z(j - 2)), 1.2, 1e-6);
+    }
+}
+
 TEST(LinkingFaces, QuadsOfACylinderAreAllAlike) {
   const LinkingMesh m = mesh_upright(cylinder_at(0, 0, 0, 5, 20), {.size = 1.0});
   double least = 1e9, most = 0.0;

@@ -23,16 +23,20 @@ struct LinkingMesh {
   SurfaceMesh mesh;
 };
 
-inline LinkingMesh mesh_upright(const TopoDS_Shape& shape, const IntervalOptions& options) {
+inline LinkingMesh mesh_scheme(Model model, Scheme scheme, const IntervalOptions& options) {
   Context context;
-  Model model = model_of(shape);
-  Scheme scheme = simple_scheme(model, faces_facing(model, 1), faces_facing(model, -1));
   Intervals intervals = assign_intervals(model, scheme, options, context);
   SurfaceMesh mesh;
   const EdgeMesh edges =
       mesh_edges(model, intervals, place_edge_nodes(model, intervals, options), mesh);
   mesh_linking_faces(model, scheme, intervals, edges, context, mesh);
   return {std::move(model), std::move(scheme), std::move(intervals), std::move(mesh)};
+}
+
+inline LinkingMesh mesh_upright(const TopoDS_Shape& shape, const IntervalOptions& options) {
+  Model model = model_of(shape);
+  Scheme scheme = simple_scheme(model, faces_facing(model, 1), faces_facing(model, -1));
+  return mesh_scheme(std::move(model), std::move(scheme), options);
 }
 
 /// Least scaled Jacobian, with normals from the surface at the nodes' closest points.

@@ -5,11 +5,16 @@
 // its outline and holes, with the board's lines at random distances, are the front of a solid that
 // is swept upwards. The front and the back are then linking faces of that shape, and the levels
 // many.
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <random>
 
 #include "linking_pipeline.h"
+#include "sweepmesh/scheme/assess.h"
 
 namespace sweepmesh {
 namespace {
@@ -123,6 +128,13 @@ TopoDS_Shape random_solid(std::mt19937& random, int size, double noise) {
 struct Tally {
   int n = 0, n_holes = 0;
   double worst = 1.0, sum = 0.0;
+
+  void add(const Model& model, double worst_quad) {
+    for (const FaceId f : model.faces()) n_holes += static_cast<int>(model.loops(f).size()) - 1;
+    worst = std::min(worst, worst_quad);
+    sum += worst_quad;
+    ++n;
+  }
 };
 
 void run(int n_solids, double noise, double size, unsigned seed, Tally& tally) {
@@ -136,11 +148,7 @@ void run(int n_solids, double noise, double size, unsigned seed, Tally& tally) {
       expect_columns(m);
       const double worst = worst_quad(m);
       EXPECT_GT(worst, 0.0);
-      for (const FaceId f : m.model.faces())
-        tally.n_holes += static_cast<int>(m.model.loops(f).size()) - 1;
-      tally.worst = std::min(tally.worst, worst);
-      tally.sum += worst;
-      ++tally.n;
+      tally.add(m.model, worst);
     } catch (const Error& e) {
       ADD_FAILURE() << e.what();
     }
@@ -151,6 +159,54 @@ void report(const std::string& what, int n_solids, const Tally& t) {
   std::cout << "[          ] " << what << ": " << t.n << " of " << n_solids << " submapped, "
             << t.n_holes << " holes, least scaled Jacobian " << t.worst << ", mean of the least "
             << t.sum / std::max(1, t.n) << '\n';
+}
+
+/// The outline with some corners cut off (two edges at 135 degrees) or rounded by a quarter circle.
+TopoDS_Wire softened(const std::vector<gp_Pnt>& corners, double r, std::mt19937& random) {
+  BRepBuilderAPI_MakeWire wire;
+  const std::size_t n = corners.size();
+  std::optional<gp_Pnt> first, last;
+  const auto line_to = [&](const gp_Pnt& p) {
+    if (last && last->Distance(p) > 1e-9) wire.Add(BRepBuilderAPI_MakeEdge(*last, p).Edge());
+    if (!first) first = p;
+    last = p;
+  };
+  for (std::size_t j = 0; j < n; ++j) {
+    const gp_Pnt &a = corners[(j + n - 1) % n], &v = corners[j], &b = corners[(j + 1) % n];
+    const int what = static_cast<int>(random() % 8);
+    const gp_Vec back = gp_Vec(v, a).Normalized() * r, on = gp_Vec(v, b).Normalized() * r;
+    if (what > 1) {
+      line_to(v);
+      continue;
+    }
+    const gp_Pnt from = v.Translated(back), to = v.Translated(on);
+    const gp_Pnt centre = from.Translated(on);
+    line_to(from);
+    if (what == 0) {
+      line_to(to);
+      continue;
+    }
+    const gp_Pnt middle = centre.Translated(gp_Vec(centre, v).Normalized() * r);
+    wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(from, middle, to).Value()).Edge());
+    last = to;
+  }
+  line_to(*first);
+  return wire.Wire();
+}
+
+TopoDS_Shape softened_solid(std::mt19937& random, int size) {
+  const Board board(size, random);
+  std::optional<BRepBuilderAPI_MakeFace> face;
+  for (const auto& walk : board.loops()) {
+    std::vector<gp_Pnt> corners;
+    for (const auto& [i, k] : walk) corners.emplace_back(10.0 * i, 0.0, 9.0 * k);
+    TopoDS_Wire wire = softened(corners, 2.5, random);
+    if (face)
+      face->Add(wire);
+    else
+      face.emplace(wire, true);
+  }
+  return BRepPrimAPI_MakePrism(face->Face(), gp_Vec(0, 7, 0)).Shape();
 }
 
 TEST(RandomFaces, Rectilinear) {
@@ -173,6 +229,46 @@ TEST(RandomFaces, WithNoise) {
   run(200, 0.2, 3.0, 3, tally);
   report("with noise", 200, tally);
   EXPECT_EQ(tally.n, 200);
+}
+
+/// With the best scheme that can be meshed, as the pipeline does.
+std::optional<LinkingMesh> first_meshed(const Model& model, const std::vector<Scheme>& schemes,
+                                        double size) {
+  for (const Scheme& scheme : schemes) {
+    try {
+      return mesh_scheme(model, scheme, {.size = size});
+    } catch (const Error&) {
+    }
+  }
+  return std::nullopt;
+}
+
+/// Vertex types and roles from the scheme stage: the upright direction is given, rounds and
+/// chamfers are its to judge. Every solid that it calls sweepable is submapped.
+TEST(RandomFaces, WithRoundsAndChamfers) {
+  std::mt19937 random(5);
+  Tally tally;
+  int n_sweepable = 0;
+  const int n_solids = 100;
+  for (int solid = 0; solid < n_solids; ++solid) {
+    SCOPED_TRACE("solid " + std::to_string(solid));
+    const Model model = model_of(softened_solid(random, 2 + solid % 4));
+    Context context;
+    const Assessment verdict =
+        assess(model, {faces_facing(model, 1, 0.99), faces_facing(model, -1, 0.99), {}}, context);
+    if (!verdict.is_sweepable()) continue;
+    ++n_sweepable;
+    const auto m = first_meshed(model, verdict.schemes, 1.5);
+    if (!m) continue;
+    expect_conforming(*m);
+    expect_columns(*m);
+    const double worst = worst_quad(*m);
+    EXPECT_GT(worst, 0.0);
+    tally.add(m->model, worst);
+  }
+  report("with rounds and chamfers", n_sweepable, tally);
+  EXPECT_GE(tally.n, n_sweepable * 98 / 100);
+  EXPECT_GT(n_sweepable, n_solids / 2);
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
     Points points = solid.input();
     PlacementOptions options;
     options.reduction = 1e-6;
-    options.improve_up_to = -1.0;
+    options.improve_up_to = options.lift_below = 0.0;
     Context context;
     const PlacementReport report =
         place_interior(solid.extrusion, solid.fixed, points, options, context);
@@ -173,8 +173,10 @@ TEST(PlaceInterior, CorrectionObeysTheMaximumPrinciple) {
   const Solid solid = make_solid(make_square_with_hole(16, 4), 9, moving_hole(0.0, 3.0, 0.0));
   Points points = solid.input();
   Context context;
-  const PlacementReport report = place_interior(solid.extrusion, solid.fixed, points, {}, context);
-  PlacementOptions affine;
+  PlacementOptions plain, affine;
+  plain.improve_up_to = plain.lift_below = 0.0;
+  const PlacementReport report =
+      place_interior(solid.extrusion, solid.fixed, points, plain, context);
   affine.method = PlacementMethod::layer_affine;
   Points motion = solid.input();
   place_interior(solid.extrusion, solid.fixed, motion, affine, context);
@@ -236,8 +238,10 @@ TEST(PlaceInterior, DisjointColumnsOverOneSpotDoNotFeelEachOther) {
   points << one, one;
   Points expected = one;
   Context context;
-  place_interior(alone.extrusion, alone.fixed, expected, {}, context);
-  place_interior(both, fixed, points, {}, context);
+  PlacementOptions plain;
+  plain.improve_up_to = plain.lift_below = 0.0;
+  place_interior(alone.extrusion, alone.fixed, expected, plain, context);
+  place_interior(both, fixed, points, plain, context);
   EXPECT_LT((points.topRows(one.rows()) - expected).norm(), 1e-3);
   EXPECT_LT((points.bottomRows(one.rows()) - expected).norm(), 1e-3);
 }
@@ -256,6 +260,20 @@ TEST(PlaceInterior, FixedNodesInsideStayAndAreFollowed) {
   EXPECT_EQ(Point3(points.row(node)), pulled);
   EXPECT_GT(points(node + 1, 2), solid.exact(node + 1, 2) + 0.05);
   EXPECT_LT(points(node + 1, 2), solid.exact(node + 1, 2) + 0.5);
+}
+
+TEST(PlaceInterior, HearsACancel) {
+  const Solid solid = make_solid(make_square_with_hole(12, 4), 6, moving_hole(0.3, 1.0, 0.1));
+  for (const PlacementMethod method :
+       {PlacementMethod::harmonic_residual, PlacementMethod::mean_value,
+        PlacementMethod::boundary_error}) {
+    Points points = solid.input();
+    PlacementOptions options;
+    options.method = method;
+    Context context;
+    context.cancel();
+    EXPECT_THROW(place_interior(solid.extrusion, solid.fixed, points, options, context), Cancelled);
+  }
 }
 
 TEST(PlaceInterior, RefusesRunsWithoutEnds) {

@@ -30,18 +30,23 @@ TEST(FoldoverEnergy, GradientIsThatOfDifferences) {
     for (long i = 0; i < 9; ++i) corner.ideal.data()[i] = normal(random);
     problem.corners.push_back(corner);
   }
-  for (const double eps : {1.0, 0.3}) {
+  for (const auto& [eps, power] : {std::pair(1.0, 1), std::pair(0.3, 1), std::pair(5.0, 3)}) {
+    UnfoldOptions options;
+    options.volume_weight = 0.1;
+    options.power = power;
     Points gradient, up = x, down = x;
-    foldover_energy(problem, x, eps, 0.1, &gradient);
+    foldover_energy(problem, x, eps, options, &gradient);
     const double h = 1e-6;
     for (int i = 0; i < problem.n_free; ++i)
       for (int d = 0; d < 3; ++d) {
         up(i, d) += h;
         down(i, d) -= h;
-        const double slope = (foldover_energy(problem, up, eps, 0.1, nullptr) -
-                              foldover_energy(problem, down, eps, 0.1, nullptr)) /
+        const double slope = (foldover_energy(problem, up, eps, options, nullptr) -
+                              foldover_energy(problem, down, eps, options, nullptr)) /
                              (2 * h);
-        EXPECT_NEAR(gradient(i, d), slope, 1e-5 * (1 + std::abs(slope)));
+        EXPECT_NEAR(gradient(i, d), slope,
+                    1e-5 * (1 + std::abs(slope)) +
+                        1e-8 * foldover_energy(problem, x, eps, options, nullptr));
         up(i, d) = down(i, d) = x(i, d);
       }
   }
@@ -49,13 +54,15 @@ TEST(FoldoverEnergy, GradientIsThatOfDifferences) {
 
 TEST(FoldoverEnergy, IdealElementHasTheLeastEnergy) {
   UnfoldProblem problem;
+  UnfoldOptions options;
+  options.volume_weight = 0.5;
   problem.n_free = 0;
   problem.corners.push_back({{0, 1, 2, 3}, Eigen::Matrix3d::Identity()});
   Points x(4, 3);
   x << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
-  EXPECT_NEAR(foldover_energy(problem, x, 1e-9, 0.5, nullptr), 1.5, 1e-12);
+  EXPECT_NEAR(foldover_energy(problem, x, 1e-9, options, nullptr), 1.5, 1e-12);
   x(3, 2) = 1.2;
-  EXPECT_GT(foldover_energy(problem, x, 1e-9, 0.5, nullptr), 1.5);
+  EXPECT_GT(foldover_energy(problem, x, 1e-9, options, nullptr), 1.5);
 }
 
 TEST(Untangle, UnfoldsScrambledInteriors) {
@@ -168,7 +175,7 @@ TEST(PlaceInterior, ImprovingPoorElementsNeverLowersTheLeastValue) {
     motion.amount = 0.15;
     const Solid solid = make_solid(make_square_with_hole(16, 4), 6, motion);
     PlacementOptions plain, improving;
-    plain.improve_up_to = -1.0;
+    plain.improve_up_to = plain.lift_below = 0.0;
     improving.improve_up_to = 0.95;
     Context context;
     Points points = solid.input();

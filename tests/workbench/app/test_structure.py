@@ -15,7 +15,7 @@ FORBIDDEN = {
 
 
 def imports(path):
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -34,12 +34,12 @@ def test_no_layer_imports_one_above_it(layer):
         for name in imports(path)
         if any(name == other or name.startswith(other + ".") for other in FORBIDDEN[layer])
     ]
-    assert not wrong
+    assert wrong == []
 
 
 @pytest.mark.parametrize("name, limit", [("Init.py", 40), ("InitGui.py", 60)])
 def test_what_freecad_runs_at_its_start_is_short(name, limit):
-    assert len((ROOT / name).read_text(encoding="utf-8").splitlines()) <= limit
+    assert len((ROOT / name).read_text().splitlines()) <= limit
 
 
 def test_functions_can_be_read_without_scrolling():
@@ -47,7 +47,7 @@ def test_functions_can_be_read_without_scrolling():
         (path.name, node.name)
         for layer in ("app", "gui")
         for path in modules(layer)
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in ast.walk(ast.parse(path.read_text()))
         if isinstance(node, ast.FunctionDef) and node.end_lineno - node.lineno >= 40
     ]
     assert not long

@@ -1,13 +1,8 @@
 """Make a sweep mesh in a document, and change it."""
-import importlib
-
-import FreeCAD
-
 from sweepmesh.app.objects.sweep import ORDERS, Sweep
 from sweepmesh.app.stages import options_for
+from sweepmesh.app.views import attach_view
 
-# Known by name only, as it is to FreeCAD when it opens a file: nothing in here depends on a window.
-_VIEW_MODULE = "sweepmesh.gui.viewproviders.view_sweep"
 _PROPERTIES = {
     "size": "Size",
     "layers": "Layers",
@@ -33,8 +28,7 @@ def make_sweep_mesh(shape_object, options=None, analysis=None, name="SweepMesh",
     set_options(obj, shape_object, options)
     if analysis is not None:
         analysis.addObject(obj)
-    if FreeCAD.GuiUp:
-        importlib.import_module(_VIEW_MODULE).ViewSweep(obj.ViewObject)
+    attach_view("Sweep", obj)
     obj.Document.recompute([obj])
     return obj
 
