@@ -22,9 +22,7 @@ HEADER = f"{'solid':<38}{'verdict':<13}{'hexes':>8}{'min SJ':>8}{'mean SJ':>9}{'
 def row(case, judge):
     """The line of a case."""
     try:
-        model = sweepmesh.read(case.path)
-        sources, targets = ([sweepmesh.face_at(model, point) for point in points] for points in case.picks())
-        result = sweepmesh.mesh(model, sweepmesh.Options(size=case.size, sources=sources, targets=targets))
+        _, result = case.mesh()
     except sweepmesh.SweepMeshError as error:
         return f"{case.label:<38}{'error':<13}{type(error).__name__}, {error.stage}: {error}"
     found = result.assessment

@@ -21,7 +21,7 @@ def collect():
 
 
 def _add_code(found, path):
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Call):
             _add_call(found, getattr(node.func, "attr", getattr(node.func, "id", "")), node.args)
 
@@ -63,4 +63,4 @@ def as_ts(found):
 
 
 if __name__ == "__main__":
-    (HERE / "SweepMesh.ts").write_text(as_ts(collect()))
+    (HERE / "SweepMesh.ts").write_text(as_ts(collect()), encoding="utf-8")

@@ -9,6 +9,7 @@ import pathlib
 import subprocess
 import sys
 
+from sweepmesh import Options, face_at, mesh, read
 from sweepmesh.freecad import import_freecad
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -42,12 +43,19 @@ class Case:
     def label(self):
         return f"{self.name}-{'free' if self.scheme < 0 else f'scheme{self.scheme}'}"
 
-    def picks(self):
-        """(sources, targets) as points on the faces."""
+    def picks(self, model):
+        """The options sources, targets and pairs of the scheme, for a Model of the solid."""
         if self.scheme < 0:
-            return [], []
+            return {}
         chosen = self.entry["schemes"][self.scheme]
-        return chosen["sources"], chosen["targets"]
+        sources, targets = ([face_at(model, point) for point in chosen[side]] for side in ("sources", "targets"))
+        pairs = [(sources[i], targets[k]) for i, k in chosen.get("pairs", [])]
+        return {"sources": sources, "targets": targets, "pairs": pairs}
+
+    def mesh(self):
+        """(Model, Result) at the manifest's element size."""
+        model = read(self.path)
+        return model, mesh(model, Options(size=self.size, **self.picks(model)))
 
 
 def manifest():

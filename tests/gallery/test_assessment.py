@@ -24,13 +24,6 @@ def chosen_scheme(case):
     return case.entry["schemes"][case.scheme] if case.scheme >= 0 else {}
 
 
-def options(case, model):
-    """Sources, targets and pairs of a case as faces."""
-    sources, targets = ([sweepmesh.face_at(model, point) for point in points] for points in case.picks())
-    pairs = [(sources[s], targets[t]) for s, t in chosen_scheme(case).get("pairs", [])]
-    return Options(sources=sources, targets=targets, pairs=pairs)
-
-
 def verdict(case):
     """What the manifest says of a case: a solid that can be swept may be unsweepable as picked, and the other way round."""
     if "feasible" in chosen_scheme(case):
@@ -48,7 +41,7 @@ def single_solids(*kinds):
 @pytest.mark.parametrize("case", single_solids(*KINDS), ids=lambda case: case.label)
 def test_verdict_is_the_manifests(case):
     model = sweepmesh.read(case.path)
-    asked = options(case, model)
+    asked = Options(**case.picks(model))
     start = time.monotonic()
     found = sweepmesh.assess(model, asked)
     assert time.monotonic() - start < 10
@@ -67,7 +60,7 @@ def test_verdict_is_the_manifests(case):
 def test_sources_alone_lead_to_the_same_targets(case):
     """Half of the picks is enough: the other half is found."""
     model = sweepmesh.read(case.path)
-    both = options(case, model)
+    both = Options(**case.picks(model))
     found = sweepmesh.assess(model, Options(sources=both.sources))
     assert found.is_sweepable, [reason.text for reason in found.reasons]
     assert all(found.roles[f"Face{face}"] == "source" for face in both.sources)

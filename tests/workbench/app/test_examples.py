@@ -16,7 +16,7 @@ def run(monkeypatch, tmp_path):
     def execute(name):
         path = EXAMPLES / f"{name}.FCMacro"
         names = {"__name__": "__main__"}
-        exec(compile(path.read_text(), str(path), "exec"), names)
+        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), names)
         return names
 
     yield execute
@@ -28,7 +28,7 @@ def test_there_are_five_and_each_has_a_test_and_says_what_it_does():
     macros = sorted(path.stem for path in EXAMPLES.glob("*.FCMacro"))
     assert macros == sorted(name[len("test_") :] for name in globals() if name[len("test_") :] in macros)
     assert len(macros) >= 5
-    assert all(path.read_text().startswith('"""') for path in EXAMPLES.glob("*.FCMacro"))
+    assert all(path.read_text(encoding="utf-8").startswith('"""') for path in EXAMPLES.glob("*.FCMacro"))
 
 
 def test_cantilever(run):

@@ -26,8 +26,8 @@ def test_defaults(group):
 
 
 def test_every_entry_of_the_page_is_read_somewhere():
-    entries = re.findall(r'prefEntry"[^>]*>\s*<cstring>(\w+)', FORM.read_text())
-    code = pathlib.Path(preferences.__file__).read_text()
+    entries = re.findall(r'prefEntry"[^>]*>\s*<cstring>(\w+)', FORM.read_text(encoding="utf-8"))
+    code = pathlib.Path(preferences.__file__).read_text(encoding="utf-8")
     assert len(entries) == 5 and all(f'"{entry}"' in code for entry in entries)
 
 

@@ -30,7 +30,7 @@ def _run(steps):
     except BaseException:
         results["error"] = traceback.format_exc()
         picture("error")
-    (OUT / "results.json").write_text(json.dumps(results, indent=1))
+    (OUT / "results.json").write_text(json.dumps(results, indent=1), encoding="utf-8")
     os._exit(1 if "error" in results else 0)
 
 

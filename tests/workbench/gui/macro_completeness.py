@@ -2,6 +2,7 @@
 import os
 import pathlib
 import sys
+import weakref
 
 sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
@@ -79,6 +80,9 @@ def preferences_are_used():
     check("and colours only if wished", not panel.form.showRoles.isChecked())
     panel.reject()
     settle()
+    gone = weakref.ref(panel)
+    del panel
+    check("a closed panel leaves nothing behind in Python", gone() is None)
 
 
 go(steps)

@@ -41,9 +41,9 @@ def run(macro, folder, timeout=300, environment=None):
                 command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, timeout=timeout,
                 env=_environment(home, folder, display, environment or {}), check=False,
             ).returncode
-    results = folder / "results.json"
-    assert results.exists(), f"FreeCAD ended with {status} and left no results:\n{log.read_text()[-4000:]}"
-    return {**json.loads(results.read_text()), "tracebacks": _tracebacks(log.read_text())}
+    results, said = folder / "results.json", log.read_text(encoding="utf-8", errors="replace")
+    assert results.exists(), f"FreeCAD ended with {status} and left no results:\n{said[-4000:]}"
+    return {**json.loads(results.read_text(encoding="utf-8")), "tracebacks": _tracebacks(said)}
 
 
 def _tracebacks(text):

@@ -28,9 +28,10 @@ class FaceLists(QtCore.QObject):
         self._pair_rows = form.pairs
         self.picks = {role: [] for role in ROLES}
         self.pairs = []
-        for role in ROLES:
-            self._buttons[role].toggled.connect(lambda down, role=role: self._set_picking(role, down))
-            self._lists[role].itemSelectionChanged.connect(self._select_rows)
+        form.pickSources.toggled.connect(self._pick_sources)
+        form.pickTargets.toggled.connect(self._pick_targets)
+        for rows in self._lists.values():
+            rows.itemSelectionChanged.connect(self._select_rows)
         form.removeFaces.clicked.connect(self._remove_rows)
         form.swapFaces.clicked.connect(self.swap)
         form.pairFaces.clicked.connect(self._pair_rows_marked)
@@ -104,6 +105,14 @@ class FaceLists(QtCore.QObject):
 
     def _picking_role(self):
         return next((role for role in ROLES if self._buttons[role].isChecked()), None)
+
+    # Slots are methods, never lambdas: those would keep panel and widgets alive in Python after FreeCAD has deleted
+    # the widgets, and a new widget at the old address would be taken for the old one.
+    def _pick_sources(self, down):
+        self._set_picking("source", down)
+
+    def _pick_targets(self, down):
+        self._set_picking("target", down)
 
     def _set_picking(self, role, down):
         other = ROLES[1 - ROLES.index(role)]

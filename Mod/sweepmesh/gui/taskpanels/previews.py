@@ -23,7 +23,7 @@ class Previews(QtCore.QObject):
         self._roles, self._plan = {}, None
         self._planner = Runner()
         self._planner.succeeded.connect(self._show_plan)
-        self._planner.failed.connect(lambda error: self._show_plan(None))
+        self._planner.failed.connect(self._clear_plan)
         self._delay = QtCore.QTimer()
         self._delay.setSingleShot(True)
         self._delay.setInterval(_DELAY)
@@ -57,6 +57,7 @@ class Previews(QtCore.QObject):
         self._planner.close()
         self._role_overlay.remove()
         self._plan_overlay.remove()
+        self._task = None
 
     def _is_plan_wanted(self):
         return self._roles and (self._form.showTypes.isChecked() or self._form.showIntervals.isChecked())
@@ -74,6 +75,9 @@ class Previews(QtCore.QObject):
 
     def _draw_roles(self, *_):
         self._role_overlay.set_roles(self._roles if self._form.showRoles.isChecked() else {})
+
+    def _clear_plan(self, *_):
+        self._show_plan(None)
 
     def _show_plan(self, plan):
         has_types = plan and self._form.showTypes.isChecked()

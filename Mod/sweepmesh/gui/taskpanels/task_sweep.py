@@ -90,7 +90,7 @@ class SweepPanel:
         form.elementOrder.addItems([tr("First"), tr("Second")])
         self._faces.changed.connect(self.assess)
         self._faces.selected.connect(self._previews.uncover)
-        form.propose.clicked.connect(lambda: self._faces.set_picks([], []))
+        form.propose.clicked.connect(self._propose)
         form.schemes.activated.connect(self._choose_scheme)
         QtCore.QObject.connect(form.meshSize, QtCore.SIGNAL("valueChanged(double)"), self._previews.update)
         form.layerCount.valueChanged.connect(self._previews.update)
@@ -127,6 +127,9 @@ class SweepPanel:
         self.form.schemes.clear()
         self.form.schemes.addItems([_scheme_text(scheme) for scheme in self._schemes])
         self.form.schemes.setVisible(len(self._schemes) > 1)
+
+    def _propose(self):
+        self._faces.set_picks([], [])
 
     def _choose_scheme(self, index):
         scheme = self._schemes[index]
@@ -232,7 +235,8 @@ class SweepPanel:
         self._mesher.close(wait=STOP_SECONDS)
         self._faces.close()
         self._previews.close()
-        QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(self._document_name))
+        name = self._document_name
+        QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(name))
 
     def slotChangedObject(self, obj, name):
         """FreeCAD calls this when a property changed: another shape needs other drawings and a new verdict."""
