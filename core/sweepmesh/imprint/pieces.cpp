@@ -59,8 +59,7 @@ int split(PieceGraph& graph, int piece, double arc, int node) {
 void absorb(PieceGraph& graph, int kept, int gone) {
   Piece& a = graph.pieces[kept];
   Piece& b = graph.pieces[gone];
-  const bool is_along =
-      a.start != a.end ? a.start == b.start : runs_along(a.points, b.points);
+  const bool is_along = a.start != a.end ? a.start == b.start : runs_along(a.points, b.points);
   for (PieceTrace& trace : b.traces)
     a.traces.push_back(is_along ? std::move(trace) : reversed(std::move(trace)));
   b.traces.clear();
@@ -81,7 +80,8 @@ std::vector<Stretch> near_stretches(const Polyline& a, const Polyline& b, double
   const double total = length(a), least_step = distance / 4;
   bool is_inside = false;
   for (double arc = 0.0;;) {
-    // The distance changes by no more than the arc, so what it is ahead of the limit can be skipped.
+    // The distance changes by no more than the arc, so what it is ahead of the limit can be
+    // skipped.
     const double d = nearest(b, at_arc(a, arc).point).distance;
     const bool is_near = d < distance;
     if (is_near && !is_inside) out.push_back({arc, arc});

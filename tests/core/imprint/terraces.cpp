@@ -101,7 +101,8 @@ std::vector<Terrace> random_terraces(unsigned seed) {
   for (int i = 0; i < n_up + n_down; ++i) {
     const double radius = between(8, 14);
     const Point2 centre(between(radius + 2, 58 - radius), between(radius + 2, 48 - radius));
-    const auto outline = regular_polygon(centre, radius, 3 + static_cast<int>(random() % 5), between(0, 2));
+    const auto outline =
+        regular_polygon(centre, radius, 3 + static_cast<int>(random() % 5), between(0, 2));
     if (i < n_up)
       out.push_back({outline, 10, between(26, 40)});
     else
@@ -111,7 +112,8 @@ std::vector<Terrace> random_terraces(unsigned seed) {
 }
 
 Scheme upright_scheme(const Model& model, const Placement& placement) {
-  const Point3 up = Eigen::AngleAxisd(placement.angle, placement.axis.normalized()) * Point3::UnitZ();
+  const Point3 up =
+      Eigen::AngleAxisd(placement.angle, placement.axis.normalized()) * Point3::UnitZ();
   std::vector<FaceRole> roles(model.n_faces(), FaceRole::none);
   for (const FaceId f : model.faces()) {
     const auto [low, high] = model.uv_bounds(f);
