@@ -71,6 +71,7 @@ class Overlayer {
       auto& cad = graph_.nodes[n].cad;
       for (const VertexId v : columns_[c].vertices) {
         node_of_[v.index] = n;
+        graph_.nodes[n].places.push_back(reference_.vertex[v.index]);
         cad.insert(std::upper_bound(cad.begin(), cad.end(), v), v);
       }
     }
@@ -213,7 +214,7 @@ class Overlayer {
       const double fraction = s.arc / length(graph_.pieces[s.piece].points);
       if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
       const Point2 foot = at_arc(graph_.pieces[s.piece].points, s.arc).point;
-      split(graph_, s.piece, s.arc, s.node);
+      split(graph_, s.piece, s.arc, s.node, reference_.coincidence);
       if (is_corner_[s.node]) move_node(s.node, foot);
       is_cut[s.piece] = any = true;
     }
@@ -359,14 +360,14 @@ class Overlayer {
     if (collide(places_on(a, middle / length(line)), places_on(b, middle_b))) return false;
     const int node = add_node(is_shape_kept(a, b) ? at_arc(graph_.pieces[a].points, arc_a).point
                                                   : at_arc(graph_.pieces[b].points, arc_b).point);
-    split(graph_, a, arc_a, node);
-    split(graph_, b, arc_b, node);
+    split(graph_, a, arc_a, node, reference_.coincidence);
+    split(graph_, b, arc_b, node, reference_.coincidence);
     return true;
   }
 
   int add_node(const Point2& p) {
     is_corner_.push_back(false);
-    graph_.nodes.push_back({p, {}});
+    graph_.nodes.push_back({p, {}, {}});
     return static_cast<int>(graph_.nodes.size()) - 1;
   }
 
@@ -396,7 +397,8 @@ class Overlayer {
       }
     for (const auto& [p, places] : cuts)
       for (const auto& [position, node] : places)
-        split(graph_, p, at_position(graph_.pieces[p].points, position).arc, node);
+        split(graph_, p, at_position(graph_.pieces[p].points, position).arc, node,
+              reference_.coincidence);
     return !cuts.empty();
   }
 
