@@ -117,13 +117,12 @@ BoundaryMesh boundary_of_one(const Model& model, const Scheme& scheme,
   });
 }
 
-BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
-                              const IntervalOptions& options, CellKind kind, StageClock& clock,
-                              Context& context, SweepResult& result) {
+BoundaryMesh boundary_with_merging(const Model& model, const Scheme& scheme, double merge_fraction,
+                                   const IntervalOptions& options, CellKind kind, StageClock& clock,
+                                   Context& context, SweepResult& result) {
   context.report(0.05, "Imprinting");
   const Imprint imprint = clock.run("imprint", [&] {
-    ImprintOptions how;
-    how.size = options.size;
+    const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
     return imprint_caps(model, scheme, how, context);
   });
   context.report(0.1, "Choosing intervals");
@@ -134,6 +133,29 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
   return clock.run("surface", [&] {
     return mesh_imprinted_boundary(model, scheme, imprint, counts, options, kind, context);
   });
+}
+
+/// Near curves are brought together within the usual distance, or, where some cells then have no
+/// room on a cap, within another one.
+BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
+                              const IntervalOptions& options, CellKind kind, StageClock& clock,
+                              Context& context, SweepResult& result) {
+  const double usual = ImprintOptions{}.merge_fraction;
+  try {
+    return boundary_with_merging(model, scheme, usual, options, kind, clock, context, result);
+  } catch (const InvalidMeshError&) {
+    for (const double share : {0.4, 1.6, 0.1}) try {
+        BoundaryMesh boundary = boundary_with_merging(model, scheme, share * usual, options, kind,
+                                                      clock, context, result);
+        result.warnings.push_back(
+            "Curves of different caps are brought together where they are nearer "
+            "than " +
+            std::to_string(std::lround(100 * share * usual)) + " % of the element size.");
+        return boundary;
+      } catch (const InvalidMeshError&) {
+      }
+    throw;
+  }
 }
 
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
