@@ -20,8 +20,8 @@ bool is_cap(FaceRole role) {
 /// The base mesh over the patches that a cap covers, its boundary in the cap's own order.
 struct CapBase {
   CapMesh mesh;
-  std::vector<CapNode> nodes;     ///< of the cap's boundary, as mesh.boundary
-  std::vector<int> base_node;     ///< of all of mesh.plane's nodes
+  std::vector<CapNode> nodes;  ///< of the cap's boundary, as mesh.boundary
+  std::vector<int> base_node;  ///< of all of mesh.plane's nodes
 };
 
 class BoundaryMesher {
@@ -63,9 +63,9 @@ class BoundaryMesher {
     int& place = base_of_[node.index];
     if (place < 0) place = base;
     if (place != base)
-      throw InvalidMeshError("surface", "The mesh nodes of " + name_of(e) +
-                                            " lie over two columns of the base mesh.",
-                             {name_of(e)}, {});
+      throw InvalidMeshError(
+          "surface", "The mesh nodes of " + name_of(e) + " lie over two columns of the base mesh.",
+          {name_of(e)}, {});
   }
 
   /// Nodes on CAD edges lie over the nodes of the imprint edges that these are divided into.
@@ -137,7 +137,8 @@ class BoundaryMesher {
       const int high = out_.surface.k[chain.back().index];
       const auto column = base < 0 ? std::nullopt : column_at(base, low, high);
       if (!column) throw_astray(chain);
-      for (std::size_t i = 0; i < chain.size(); ++i) put(*column, low + static_cast<int>(i), chain[i]);
+      for (std::size_t i = 0; i < chain.size(); ++i)
+        put(*column, low + static_cast<int>(i), chain[i]);
     }
   }
 
@@ -166,7 +167,8 @@ class BoundaryMesher {
     const std::vector<NodeId> nodes = add_cap(image, out_.surface);
     const int k = k_of(cap);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      const auto column = column_at(base.base_node[n], is_source ? k - 1 : k, is_source ? k : k + 1);
+      const auto column =
+          column_at(base.base_node[n], is_source ? k - 1 : k, is_source ? k : k + 1);
       if (column) put(*column, k, nodes[n]);
     }
   }
@@ -216,9 +218,8 @@ class BoundaryMesher {
     };
     if (!is_source)
       for (auto& loop : loops) std::reverse(loop.begin(), loop.end());
-    const auto outer = std::max_element(loops.begin(), loops.end(), [&](auto& a, auto& b) {
-      return area(a) < area(b);
-    });
+    const auto outer = std::max_element(loops.begin(), loops.end(),
+                                        [&](auto& a, auto& b) { return area(a) < area(b); });
     std::rotate(loops.begin(), outer, outer + 1);
     return loops;
   }
@@ -229,7 +230,8 @@ class BoundaryMesher {
     for (int c = 0; c < base_.n_cells(); ++c)
       for (const Run& r : imprint_.patches[base_.cell_patch[c]].runs) {
         CellRun run{{}, k_of(r.target), k_of(r.source)};
-        for (const int b : base_.cell(c)) run.columns.push_back(*column_at(b, run.k_low, run.k_high));
+        for (const int b : base_.cell(c))
+          run.columns.push_back(*column_at(b, run.k_low, run.k_high));
         out_.runs.push_back(std::move(run));
       }
   }

@@ -8,11 +8,11 @@
 
 namespace sweepmesh {
 
-/// Grids on the linking faces, the base mesh of the patches, and its image on every cap; the columns
-/// over the base nodes and the runs over its cells. Every patch's cells appear on its target and on
-/// its source, node over node.
-/// Throws what the surface stage throws, and InvalidMeshError where the columns of a linking face
-/// and those of the base mesh do not agree, naming the face.
+/// Grids on the linking faces, the base mesh of the patches, and its image on every cap; the
+/// columns over the base nodes and the runs over its cells. Every patch's cells appear on its
+/// target and on its source, node over node. Throws what the surface stage throws, and
+/// InvalidMeshError where the columns of a linking face and those of the base mesh do not agree,
+/// naming the face.
 BoundaryMesh mesh_imprinted_boundary(const Model& model, const Scheme& scheme,
                                      const Imprint& imprint, const ImprintCounts& counts,
                                      const IntervalOptions& options, CellKind kind,

@@ -40,8 +40,8 @@ std::vector<int> nodes_of(const BaseMesh& base, const std::vector<DirectedEdge>&
   return out;
 }
 
-/// Where a patch touches itself in a node, the node's places in the loops are drawn apart, each into the
-/// patch, so that the loops become simple.
+/// Where a patch touches itself in a node, the node's places in the loops are drawn apart, each
+/// into the patch, so that the loops become simple.
 void draw_touching_apart(const std::vector<int>& node, PlanarLoops& loops) {
   constexpr double share = 0.2;  // of the shorter mesh edge there
   std::map<int, int> n_uses;
@@ -60,7 +60,8 @@ void draw_touching_apart(const std::vector<int>& node, PlanarLoops& loops) {
   }
 }
 
-/// Boundary nodes where a single cell would have to open its corner almost flat in one of the shapes.
+/// Boundary nodes where a single cell would have to open its corner almost flat in one of the
+/// shapes.
 int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
   constexpr double flat = 160.0 / 180.0 * std::numbers::pi;
   std::vector<int> count(mesh.n_nodes(), 0);
@@ -72,8 +73,8 @@ int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
   return n_flat;
 }
 
-/// Where every candidate has flat corners: the same with a ring of cells along the boundary, in which
-/// every node has two cells at least.
+/// Where every candidate has flat corners: the same with a ring of cells along the boundary, in
+/// which every node has two cells at least.
 void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Context& context,
                 std::vector<PlanarMesh>& candidates) {
   if (std::any_of(candidates.begin(), candidates.end(),
@@ -153,7 +154,8 @@ void add_patch(const Model& model, const Imprint& imprint, const std::vector<int
   }
 }
 
-// --- smoothing across imprint edges ----------------------------------------------------------------
+// --- smoothing across imprint edges
+// ----------------------------------------------------------------
 
 /// Nodes on edges that have a patch on one side only.
 std::vector<char> outer_nodes(const Imprint& imprint, const BaseMesh& base) {
@@ -221,8 +223,8 @@ void throw_if_inverted(const Imprint& imprint, const BaseMesh& base) {
   if (inverted.empty()) return;
   const Patch& patch = imprint.patches[base.cell_patch[inverted.front()]];
   throw InvalidMeshError("surface",
-                         "The mesh of the patch between " + name_of(patch.runs[0].target) + " and " +
-                             name_of(patch.runs[0].source) +
+                         "The mesh of the patch between " + name_of(patch.runs[0].target) +
+                             " and " + name_of(patch.runs[0].source) +
                              " keeps inverted cells; try a smaller element size.",
                          caps_of(patch), inverted);
 }

@@ -27,8 +27,9 @@ struct BaseMesh {
 
 /// Meshes patch by patch, the number of cells at each boundary node chosen to suit R and all caps
 /// (patch_angles.h). Where cells come out poor, they and those around them are smoothed with the
-/// nodes of inner imprint edges free: R need not follow the curves, every cap does that for its own.
-/// `counts` are the mesh edges on each imprint edge. Throws what mesh_planar throws, naming the caps.
+/// nodes of inner imprint edges free: R need not follow the curves, every cap does that for its
+/// own. `counts` are the mesh edges on each imprint edge. Throws what mesh_planar throws, naming
+/// the caps.
 BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
                    double size, CellKind kind, Context& context);
 

@@ -1,9 +1,10 @@
 // The caps divided so that every piece of a source lies over exactly one piece of a target.
 //
 // All columns of a sweep stand on one plane *reference domain* R: a linking face is a curve there
-// with a range of levels, a cap is a region at one level, an edge of a cap a curve at one level. Laid
-// over each other, these curves divide R into *patches*. A *run* is what the solid holds over a patch
-// without interruption: a target below, a source above. A patch with several runs has a slot.
+// with a range of levels, a cap is a region at one level, an edge of a cap a curve at one level.
+// Laid over each other, these curves divide R into *patches*. A *run* is what the solid holds over
+// a patch without interruption: a target below, a source above. A patch with several runs has a
+// slot.
 //
 //        source A   | source B          R:  +-----+-----+
 //        +----------+                       |  1  |  2  |    edges know which CAD edges they

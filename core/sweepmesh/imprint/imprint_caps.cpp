@@ -66,10 +66,10 @@ Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOpti
   const std::vector<int> level = sweep_levels(model, scheme);
   const Walls walls = find_walls(model, scheme, level);
   const double tolerance = coincidence(model, options);
-  const Reference reference = reference_of(model, scheme, walls, level, tolerance, options.size, context);
+  const Reference reference =
+      reference_of(model, scheme, walls, level, tolerance, options.size, context);
   const double merge = std::max(tolerance, options.merge_fraction * options.size);
-  return imprint_of(model, scheme, walls,
-                    overlay(model, scheme, walls, reference, merge, context));
+  return imprint_of(model, scheme, walls, overlay(model, scheme, walls, reference, merge, context));
 }
 
 }  // namespace sweepmesh

@@ -12,8 +12,8 @@ namespace sweepmesh {
 
 struct ImprintOptions {
   double size = 1.0;  ///< wished length of a mesh edge, > 0
-  /// Curves nearer than this part of the size are brought together, 0..1; 0 keeps all that are apart
-  /// in the CAD model.
+  /// Curves nearer than this part of the size are brought together, 0..1; 0 keeps all that are
+  /// apart in the CAD model.
   double merge_fraction = 0.25;
 };
 

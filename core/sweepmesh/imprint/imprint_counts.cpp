@@ -195,8 +195,8 @@ EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
     std::vector<double> t = {model.range(e).first};
     for (const DirectedEdge& d : imprint.chain[e.index]) {
       const auto& traces = imprint.edges[d.edge].traces;
-      const auto trace = std::find_if(traces.begin(), traces.end(),
-                                      [&](const Trace& tr) { return tr.edge == e; });
+      const auto trace =
+          std::find_if(traces.begin(), traces.end(), [&](const Trace& tr) { return tr.edge == e; });
       const auto [low, high] = std::minmax(trace->first, trace->last);
       const auto part = even_parameters(model, e, low, high, counts.edge[d.edge]);
       t.insert(t.end(), part.begin() + 1, part.end());

@@ -22,15 +22,16 @@ struct ImprintCounts {
 /// Solves the interval problem of interval_demands.h with the imprint's own demands:
 ///  - a CAD edge has the sum of the counts of the imprint edges that it is divided into;
 ///  - the sum around every patch is even (quads), and that takes the place of the caps' sums;
-///  - what lies over one another is a layer apart: a run's source and target, the caps of a slot, the
+///  - what lies over one another is a layer apart: a run's source and target, the caps of a slot,
+///  the
 ///    CAD edges of one imprint edge;
 ///  - the loops of a linking face lie as far apart along i as the imprint edges between them count.
 /// Throws SolverError where demands contradict each other, naming them.
 ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
                             const IntervalOptions& options, Context& context);
 
-/// Where the nodes of each edge lie: evenly within each imprint edge that it is divided into, and on
-/// axial edges as place_edge_nodes has them.
+/// Where the nodes of each edge lie: evenly within each imprint edge that it is divided into, and
+/// on axial edges as place_edge_nodes has them.
 EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
                                 const ImprintCounts& counts, const IntervalOptions& options);
 

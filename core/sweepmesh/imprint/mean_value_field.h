@@ -7,10 +7,10 @@
 
 namespace sweepmesh {
 
-/// Mean value interpolation (Hormann, Floater, Mean value coordinates for arbitrary planar polygons,
-/// ACM Trans. Graph. 25, 2006): inside and outside the domain, exact on its boundary, and exact
-/// everywhere where the boundary's map is affine. It needs the boundary's segments only, with the
-/// domain on their left, in any order.
+/// Mean value interpolation (Hormann, Floater, Mean value coordinates for arbitrary planar
+/// polygons, ACM Trans. Graph. 25, 2006): inside and outside the domain, exact on its boundary, and
+/// exact everywhere where the boundary's map is affine. It needs the boundary's segments only, with
+/// the domain on their left, in any order.
 class MeanValueField {
  public:
   /// Points nearer to the boundary than `tolerance` move with the boundary's nearest point.

@@ -30,15 +30,17 @@ std::vector<EdgeId> first_met(const std::vector<Candidate>& candidates, bool upw
 }
 
 bool have_common(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
-  return std::any_of(a.begin(), a.end(), [&](EdgeId e) {
-    return std::find(b.begin(), b.end(), e) != b.end();
-  });
+  return std::any_of(a.begin(), a.end(),
+                     [&](EdgeId e) { return std::find(b.begin(), b.end(), e) != b.end(); });
 }
 
 }  // namespace
 
 Occupancy::Occupancy(const Model& model, const Walls& walls, const Reference& reference)
-    : model_(model), walls_(walls), curve_(walls.level.size()), coincidence_(reference.coincidence) {
+    : model_(model),
+      walls_(walls),
+      curve_(walls.level.size()),
+      coincidence_(reference.coincidence) {
   for (const ReferenceCurve& c : reference.curves) curve_[c.edge.index] = &c.points;
 }
 
@@ -89,9 +91,8 @@ Occupancy::Column Occupancy::column(const std::vector<VertexId>& vertices,
 
 bool Occupancy::meet_in(const std::vector<VertexId>& there, const Span& a, const Span& b) const {
   const auto ends = [&](VertexId v, const std::vector<EdgeId>& edges) {
-    return std::any_of(edges.begin(), edges.end(), [&](EdgeId e) {
-      return model_.start(e) == v || model_.end(e) == v;
-    });
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](EdgeId e) { return model_.start(e) == v || model_.end(e) == v; });
   };
   return std::any_of(there.begin(), there.end(), [&](VertexId v) {
     return (ends(v, a.bottoms) || ends(v, a.tops)) && (ends(v, b.bottoms) || ends(v, b.tops));

@@ -1,4 +1,5 @@
-// Which levels of a column are taken by the CAD edges and linking faces that pass over a point of R.
+// Which levels of a column are taken by the CAD edges and linking faces that pass over a point of
+// R.
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 namespace sweepmesh {
 
 /// Two things may share a column of R only where they take different levels, or belong together: a
-/// linking face and the edges at its two ends. Whatever else is brought together would close a gap or
-/// a thin piece of the solid.
+/// linking face and the edges at its two ends. Whatever else is brought together would close a gap
+/// or a thin piece of the solid.
 class Occupancy {
  public:
   Occupancy(const Model& model, const Walls& walls, const Reference& reference);
@@ -39,8 +40,8 @@ class Occupancy {
   /// The column of vertices at which the edges `ends` end, each given at a place near its end.
   Column column(const std::vector<VertexId>& vertices, const std::vector<Place>& ends) const;
 
-  /// Whether the edges or columns, brought to one place, would collide. Edges do not where their linking
-  /// faces meet in one of the vertices `there` (ascending).
+  /// Whether the edges or columns, brought to one place, would collide. Edges do not where their
+  /// linking faces meet in one of the vertices `there` (ascending).
   bool collide(const Place& a, const Place& b, const std::vector<VertexId>& there = {}) const;
   bool collide(const Column& a, const Column& b) const;
   bool collide(const Column& a, const Place& b) const;

@@ -71,6 +71,7 @@ class Overlayer {
       auto& cad = graph_.nodes[n].cad;
       for (const VertexId v : columns_[c].vertices) {
         node_of_[v.index] = n;
+        graph_.nodes[n].places.push_back(reference_.vertex[v.index]);
         cad.insert(std::upper_bound(cad.begin(), cad.end(), v), v);
       }
     }
@@ -150,8 +151,7 @@ class Overlayer {
   void make_pieces() {
     for (const ReferenceCurve& c : reference_.curves) {
       const int a = node_of_[model_.start(c.edge).index], b = node_of_[model_.end(c.edge).index];
-      const Polyline points =
-          with_ends(c.points, graph_.nodes[a].point, graph_.nodes[b].point);
+      const Polyline points = with_ends(c.points, graph_.nodes[a].point, graph_.nodes[b].point);
       graph_.pieces.push_back({a, b, points, {{c.edge, c.points, c.t}}});
     }
   }
@@ -169,7 +169,8 @@ class Overlayer {
   std::vector<Place> places_through(int node) const {
     std::vector<Place> out;
     const auto add = [&](const PieceTrace& t, bool at_start) {
-      if (node_of_[model_.start(t.edge).index] != node && node_of_[model_.end(t.edge).index] != node)
+      if (node_of_[model_.start(t.edge).index] != node &&
+          node_of_[model_.end(t.edge).index] != node)
         out.push_back({t.edge, beside(t.line, at_start)});
     };
     for (int p = 0; p < n_pieces(); ++p)
@@ -213,7 +214,7 @@ class Overlayer {
       const double fraction = s.arc / length(graph_.pieces[s.piece].points);
       if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
       const Point2 foot = at_arc(graph_.pieces[s.piece].points, s.arc).point;
-      split(graph_, s.piece, s.arc, s.node);
+      split(graph_, s.piece, s.arc, s.node, reference_.coincidence);
       if (is_corner_[s.node]) move_node(s.node, foot);
       is_cut[s.piece] = any = true;
     }
@@ -251,8 +252,8 @@ class Overlayer {
           }
   }
 
-  /// Of two curves that come together the one that turns less at its ends stays where it is, so that
-  /// no cap has a corner where its own boundary is smooth; or else the straighter one.
+  /// Of two curves that come together the one that turns less at its ends stays where it is, so
+  /// that no cap has a corner where its own boundary is smooth; or else the straighter one.
   bool is_shape_kept(int piece, int other) const {
     const double turn = turn_of(piece), other_turn = turn_of(other);
     if (std::abs(turn - other_turn) > corner_) return turn < other_turn;
@@ -280,7 +281,8 @@ class Overlayer {
       for (const auto& [other, onwards] : directions_at(v)) {
         if ((other == e && onwards == away) || walls_.level[other.index] != walls_.level[e.index])
           continue;
-        least = std::min(least, std::numbers::pi - std::acos(std::clamp(away.dot(onwards), -1.0, 1.0)));
+        least =
+            std::min(least, std::numbers::pi - std::acos(std::clamp(away.dot(onwards), -1.0, 1.0)));
       }
     }
     return least;
@@ -326,7 +328,8 @@ class Overlayer {
 
   bool cut_stretch(int a, int b) {
     // The curves as they are in the CAD model: what has been moved together would always be near.
-    const Polyline &line = graph_.pieces[a].traces[0].line, &other = graph_.pieces[b].traces[0].line;
+    const Polyline &line = graph_.pieces[a].traces[0].line,
+                   &other = graph_.pieces[b].traces[0].line;
     if (!box_of(line).is_near(box_of(other), near_)) return false;
     for (const Stretch& s : near_stretches(line, other, near_)) {
       const double total = length(line);
@@ -344,7 +347,8 @@ class Overlayer {
 
   /// Puts a node on both pieces at `arc` of a's own line, unless they collide at arc `middle`.
   bool cut_both(int a, int b, double arc, double middle) {
-    const Polyline &line = graph_.pieces[a].traces[0].line, &other = graph_.pieces[b].traces[0].line;
+    const Polyline &line = graph_.pieces[a].traces[0].line,
+                   &other = graph_.pieces[b].traces[0].line;
     const double fraction_a = arc / length(line);
     const PolylinePoint foot = nearest(other, at_arc(line, arc).point);
     const double fraction_b = foot.arc / length(other);
@@ -356,14 +360,14 @@ class Overlayer {
     if (collide(places_on(a, middle / length(line)), places_on(b, middle_b))) return false;
     const int node = add_node(is_shape_kept(a, b) ? at_arc(graph_.pieces[a].points, arc_a).point
                                                   : at_arc(graph_.pieces[b].points, arc_b).point);
-    split(graph_, a, arc_a, node);
-    split(graph_, b, arc_b, node);
+    split(graph_, a, arc_a, node, reference_.coincidence);
+    split(graph_, b, arc_b, node, reference_.coincidence);
     return true;
   }
 
   int add_node(const Point2& p) {
     is_corner_.push_back(false);
-    graph_.nodes.push_back({p, {}});
+    graph_.nodes.push_back({p, {}, {}});
     return static_cast<int>(graph_.nodes.size()) - 1;
   }
 
@@ -393,7 +397,8 @@ class Overlayer {
       }
     for (const auto& [p, places] : cuts)
       for (const auto& [position, node] : places)
-        split(graph_, p, at_position(graph_.pieces[p].points, position).arc, node);
+        split(graph_, p, at_position(graph_.pieces[p].points, position).arc, node,
+              reference_.coincidence);
     return !cuts.empty();
   }
 
@@ -460,14 +465,14 @@ class Overlayer {
   const Context& context_;
   static constexpr double corner_ = 0.35;  ///< radians; what turns less is smooth
   PieceGraph graph_;
-  std::vector<char> is_corner_;                 ///< by node: it may still be moved
+  std::vector<char> is_corner_;  ///< by node: it may still be moved
   struct CadColumn {
     std::vector<VertexId> vertices;
     Occupancy::Column column;
   };
   std::vector<CadColumn> columns_;
   std::map<int, std::vector<int>> columns_in_;  ///< by node
-  std::vector<int> node_of_;                    ///< by VertexId; -1 where no curve ends in its column
+  std::vector<int> node_of_;  ///< by VertexId; -1 where no curve ends in its column
   std::vector<Merge> merges_;
   std::vector<int> alive_;  ///< pieces of the last arrangement's polylines
   PlaneArrangement arrangement_;

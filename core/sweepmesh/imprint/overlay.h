@@ -4,7 +4,7 @@
 // each other become one, crossings become nodes, until an exact arrangement of the pieces meets
 // nothing but their ends.
 //
-//   near curves:  A .--------.          curves that cross at     \           \                      .
+//   near curves:  A .--------.          curves that cross at \           \                      .
 //                 B .-------------.     a small angle run as      \ \    ->    \  .
 //             ->    o========o----o     one while they are near     \ \          \\.
 //
@@ -24,13 +24,13 @@ namespace sweepmesh {
 
 struct Overlay {
   PlaneArrangement arrangement;
-  std::vector<std::vector<VertexId>> cad;   ///< by vertex of the arrangement, ascending
-  std::vector<std::vector<Trace>> traces;   ///< by edge of the arrangement, ascending levels
+  std::vector<std::vector<VertexId>> cad;  ///< by vertex of the arrangement, ascending
+  std::vector<std::vector<Trace>> traces;  ///< by edge of the arrangement, ascending levels
   std::vector<Merge> merges;
 };
 
-/// `merge_distance` at least the reference's coincidence. CAD vertices joined by axial edges are one
-/// column. Throws ImprintError (collision) where curves of the same levels lie over each other.
+/// `merge_distance` at least the reference's coincidence. CAD vertices joined by axial edges are
+/// one column. Throws ImprintError (collision) where curves of the same levels lie over each other.
 /// Cost: quadratic in the number of edges for their boxes, n log n else.
 Overlay overlay(const Model& model, const Scheme& scheme, const Walls& walls,
                 const Reference& reference, double merge_distance, const Context& context);

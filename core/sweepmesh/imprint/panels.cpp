@@ -45,7 +45,8 @@ class PanelFinder {
     }
   }
 
-  /// Positions on an edge of its ends and of the ends of all other edges of the face that lie on it.
+  /// Positions on an edge of its ends and of the ends of all other edges of the face that lie on
+  /// it.
   std::vector<double> cuts_of(EdgeId e, FaceId f) const {
     const double last = static_cast<double>(line(e).size() - 1);
     std::set<double> cuts = {0.0, last};
@@ -83,8 +84,9 @@ class PanelFinder {
     };
     if (low.empty() || high.empty() || !is_level(bottoms) || !is_level(tops))
       throw ImprintError(ImprintFailure::unreachable,
-                         name_of(f) + " leans along the sweep and has steps in its outline, so its "
-                                      "columns cannot be followed.",
+                         name_of(f) +
+                             " leans along the sweep and has steps in its outline, so its "
+                             "columns cannot be followed.",
                          {name_of(f)});
     Panel panel{f, walls_.level[bottoms.front().index], walls_.level[tops.front().index], {}, {}};
     for (const double share : shares_of(low, high)) {

@@ -11,8 +11,8 @@
 
 namespace sweepmesh {
 
-/// `bottom[i]` and `top[i]` are the ends of one column, seen along the sweep; the solid is on the left
-/// of both lines.
+/// `bottom[i]` and `top[i]` are the ends of one column, seen along the sweep; the solid is on the
+/// left of both lines.
 struct Panel {
   FaceId face;
   int low, high;  ///< levels
@@ -26,11 +26,11 @@ struct Panel {
   }
 };
 
-/// Of all linking faces; `curve` are the edges' curves as seen along the sweep. A face whose lower and
-/// upper edges lie over each other may have any profile; it is cut where its edges begin and end.
-/// Another face must have one chain of edges below and one above: columns join the places where the
-/// same part of both lengths has passed. Throws ImprintError (unreachable) naming a face that is
-/// neither.
+/// Of all linking faces; `curve` are the edges' curves as seen along the sweep. A face whose lower
+/// and upper edges lie over each other may have any profile; it is cut where its edges begin and
+/// end. Another face must have one chain of edges below and one above: columns join the places
+/// where the same part of both lengths has passed. Throws ImprintError (unreachable) naming a face
+/// that is neither.
 std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
                                const Reference& seen);
 

@@ -36,7 +36,8 @@ std::optional<double> cap_angle(const Model& model, const Imprint& imprint,
   const auto along = mesh_edge(model, imprint, counts[out.edge], out, cap);
   if (!back || !along) return std::nullopt;
   const Point3 up = is_source ? along->normal : Point3(-along->normal);
-  const double angle = std::atan2(along->along.cross(back->along).dot(up), along->along.dot(back->along));
+  const double angle =
+      std::atan2(along->along.cross(back->along).dot(up), along->along.dot(back->along));
   return angle > 0.0 ? angle : angle + 2 * std::numbers::pi;
 }
 

@@ -75,7 +75,8 @@ class PatchFinder {
     for (std::size_t e = 0; e < overlay_.traces.size(); ++e)
       for (const Trace& t : overlay_.traces[e]) {
         const bool is_against = t.first > t.last;
-        parts[t.edge.index].push_back({std::min(t.first, t.last), std::max(t.first, t.last),
+        parts[t.edge.index].push_back({std::min(t.first, t.last),
+                                       std::max(t.first, t.last),
                                        {static_cast<int>(e), is_against}});
       }
     chain_.resize(model_.n_edges());
@@ -262,11 +263,11 @@ class PatchFinder {
   void check_claims(int face, const std::vector<Run>& runs) const {
     for (const auto& [level, claim] : cap_[face]) {
       const int k = levels_[level];
-      const bool begins = std::any_of(runs.begin(), runs.end(),
-                                      [&](const Run& r) { return r.low == k; });
-      const bool ends = std::any_of(runs.begin(), runs.end(),
-                                    [&](const Run& r) { return r.high == k; });
-      const FaceId loose = claim.target.is_valid() && !begins  ? claim.target
+      const bool begins =
+          std::any_of(runs.begin(), runs.end(), [&](const Run& r) { return r.low == k; });
+      const bool ends =
+          std::any_of(runs.begin(), runs.end(), [&](const Run& r) { return r.high == k; });
+      const FaceId loose = claim.target.is_valid() && !begins ? claim.target
                            : claim.source.is_valid() && !ends ? claim.source
                                                               : FaceId{};
       if (!loose.is_valid()) continue;
@@ -276,10 +277,10 @@ class PatchFinder {
         failure = ImprintFailure::no_room;
         names.push_back(name_of(loose == claim.target ? claim.source : claim.target));
       }
-      throw ImprintError(failure,
-                         "Between " + name_of(loose) +
-                             " and the cap over it there is nothing of the solid.",
-                         names);
+      throw ImprintError(
+          failure,
+          "Between " + name_of(loose) + " and the cap over it there is nothing of the solid.",
+          names);
     }
   }
 
@@ -311,9 +312,9 @@ class PatchFinder {
   std::vector<int> left_, right_;  ///< faces beside each edge
   int outside_ = -1;
   std::vector<std::vector<DirectedEdge>> chain_;
-  std::vector<std::vector<Wall>> over_;        ///< by edge
-  std::vector<std::vector<char>> inside_;      ///< by face and level: in the slab above that level
-  std::vector<std::map<int, Claim>> cap_;      ///< by face: caps at levels
+  std::vector<std::vector<Wall>> over_;    ///< by edge
+  std::vector<std::vector<char>> inside_;  ///< by face and level: in the slab above that level
+  std::vector<std::map<int, Claim>> cap_;  ///< by face: caps at levels
 };
 
 }  // namespace

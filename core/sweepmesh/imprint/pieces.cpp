@@ -18,6 +18,18 @@ bool runs_along(const Polyline& line, const Polyline& other) {
   return foot.arc < length(line) / 2;
 }
 
+/// Where a trace is to be cut: at `fraction` of its length, unless one of the places lies on it.
+double fraction_at(const PieceTrace& trace, double fraction, const std::vector<Point2>& places,
+                   double coincidence) {
+  const double whole = length(trace.line);
+  for (const Point2& p : places) {
+    const PolylinePoint foot = nearest(trace.line, p);
+    if (foot.distance <= coincidence && foot.arc > coincidence && foot.arc < whole - coincidence)
+      return foot.arc / whole;
+  }
+  return fraction;
+}
+
 }  // namespace
 
 std::pair<PieceTrace, PieceTrace> cut(const PieceTrace& trace, double fraction) {
@@ -37,7 +49,7 @@ std::pair<PieceTrace, PieceTrace> cut(const PieceTrace& trace, double fraction) 
   return {std::move(first), std::move(second)};
 }
 
-int split(PieceGraph& graph, int piece, double arc, int node) {
+int split(PieceGraph& graph, int piece, double arc, int node, double coincidence) {
   const Piece whole = std::move(graph.pieces[piece]);
   const PolylinePoint p = at_arc(whole.points, arc);
   const double last = static_cast<double>(whole.points.size() - 1);
@@ -47,7 +59,7 @@ int split(PieceGraph& graph, int piece, double arc, int node) {
   second.points = with_ends(part(whole.points, p.position, last), place, whole.points.back());
   const double fraction = p.arc / length(whole.points);
   for (const PieceTrace& trace : whole.traces) {
-    auto [a, b] = cut(trace, fraction);
+    auto [a, b] = cut(trace, fraction_at(trace, fraction, graph.nodes[node].places, coincidence));
     first.traces.push_back(std::move(a));
     second.traces.push_back(std::move(b));
   }
@@ -59,8 +71,7 @@ int split(PieceGraph& graph, int piece, double arc, int node) {
 void absorb(PieceGraph& graph, int kept, int gone) {
   Piece& a = graph.pieces[kept];
   Piece& b = graph.pieces[gone];
-  const bool is_along =
-      a.start != a.end ? a.start == b.start : runs_along(a.points, b.points);
+  const bool is_along = a.start != a.end ? a.start == b.start : runs_along(a.points, b.points);
   for (PieceTrace& trace : b.traces)
     a.traces.push_back(is_along ? std::move(trace) : reversed(std::move(trace)));
   b.traces.clear();
@@ -81,7 +92,8 @@ std::vector<Stretch> near_stretches(const Polyline& a, const Polyline& b, double
   const double total = length(a), least_step = distance / 4;
   bool is_inside = false;
   for (double arc = 0.0;;) {
-    // The distance changes by no more than the arc, so what it is ahead of the limit can be skipped.
+    // The distance changes by no more than the arc, so what it is ahead of the limit can be
+    // skipped.
     const double d = nearest(b, at_arc(a, arc).point).distance;
     const bool is_near = d < distance;
     if (is_near && !is_inside) out.push_back({arc, arc});

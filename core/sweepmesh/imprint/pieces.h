@@ -24,7 +24,8 @@ struct Piece {
 
 struct PieceNode {
   Point2 point;
-  std::vector<VertexId> cad;  ///< ascending
+  std::vector<VertexId> cad;   ///< ascending
+  std::vector<Point2> places;  ///< where the CAD vertices lie themselves
 };
 
 /// Nodes and pieces; a piece that has been cut or merged away keeps its place with no traces.
@@ -42,8 +43,10 @@ struct PieceGraph {
 std::pair<PieceTrace, PieceTrace> cut(const PieceTrace& trace, double fraction);
 
 /// Cuts a piece at `arc` from its start and puts `node` there: both parts are moved to end in it.
-/// The first part takes the piece's place, the second comes last and is returned.
-int split(PieceGraph& graph, int piece, double arc, int node);
+/// Traces are cut at the same part of their length, or where one of the node's CAD vertices lies on
+/// them, to within `coincidence`. The first part takes the piece's place, the second comes last and
+/// is returned.
+int split(PieceGraph& graph, int piece, double arc, int node, double coincidence);
 
 /// Gives piece `kept` the traces of `gone`, which has the same end nodes.
 void absorb(PieceGraph& graph, int kept, int gone);

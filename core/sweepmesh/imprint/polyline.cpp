@@ -61,8 +61,8 @@ std::vector<PolylinePoint> resampled(const Polyline& line, double spacing) {
     const int n = std::max(1, static_cast<int>(std::ceil(step / spacing)));
     for (int j = 0; j < n; ++j) {
       const double f = static_cast<double>(j) / n;
-      out.push_back({line[i] + f * (line[i + 1] - line[i]), arc + f * step,
-                     static_cast<double>(i) + f});
+      out.push_back(
+          {line[i] + f * (line[i + 1] - line[i]), arc + f * step, static_cast<double>(i) + f});
     }
     arc += step;
   }

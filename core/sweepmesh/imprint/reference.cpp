@@ -7,8 +7,8 @@
 namespace sweepmesh {
 namespace {
 
-/// Coordinates across a direction, in a frame that turns with the solid: its origin is a vertex, its
-/// first axis runs along `along`.
+/// Coordinates across a direction, in a frame that turns with the solid: its origin is a vertex,
+/// its first axis runs along `along`.
 class Projection {
  public:
   Projection(const Point3& direction, const Point3& origin, const Point3& along) : origin_(origin) {
@@ -22,8 +22,8 @@ class Projection {
   Eigen::Matrix<double, 2, 3> axes_;
 };
 
-/// The frame at the first transverse edge that has a chord (a third of it, for closed ones) across the
-/// direction.
+/// The frame at the first transverse edge that has a chord (a third of it, for closed ones) across
+/// the direction.
 Projection frame_of(const Model& model, const Walls& walls, const Point3& direction) {
   for (const EdgeId e : walls.edges) {
     const auto [first, last] = model.range(e);
@@ -142,8 +142,8 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
     const bool is_new = std::none_of(out.begin(), out.end(), [&](const Point3& other) {
       return other.cross(d).norm() < model.tolerances().angle;
     });
-    const bool rises = std::all_of(chords.begin(), chords.end(),
-                                   [&](const Point3& c) { return c.dot(d) > 0.0; });
+    const bool rises =
+        std::all_of(chords.begin(), chords.end(), [&](const Point3& c) { return c.dot(d) > 0.0; });
     if (is_new && rises && out.size() < most) out.push_back(d);
   };
   if (sum.norm() > model.tolerances().point) add(sum.normalized());

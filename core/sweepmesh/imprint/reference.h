@@ -1,8 +1,8 @@
 // The plane on which all columns of a sweep stand, and the CAD edges as curves there.
 //
-// Solids whose columns end over each other (every linking face's lower and upper edges are one curve
-// when seen along one direction, whatever the face does between them): R is the projection along
-// that direction. The direction need not be an axis, and caps may be inclined or curved.
+// Solids whose columns end over each other (every linking face's lower and upper edges are one
+// curve when seen along one direction, whatever the face does between them): R is the projection
+// along that direction. The direction need not be an axis, and caps may be inclined or curved.
 #pragma once
 
 #include <vector>
@@ -38,8 +38,8 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
                               double coincidence, const Context& context);
 
-/// Whether a linking face's lower and upper edges lie over each other, or those of all linking faces
-/// do: then the projection is R.
+/// Whether a linking face's lower and upper edges lie over each other, or those of all linking
+/// faces do: then the projection is R.
 bool is_upright(const Walls& walls, const Reference& seen, FaceId face);
 bool is_upright(const Walls& walls, const Reference& seen);
 

@@ -77,7 +77,8 @@ class SlabWalker {
     for (int level = 0; level + 1 < static_cast<int>(height_.size()); ++level) {
       MeanValueField outline(seen_.coincidence);
       for (const Panel& p : panels_)
-        if (p.low <= level && level + 1 <= p.high) outline.add(seen_at(p, level), seen_at(p, level));
+        if (p.low <= level && level + 1 <= p.high)
+          outline.add(seen_at(p, level), seen_at(p, level));
       if (outline.double_area() > most) {
         most = outline.double_area();
         best = level;
@@ -103,8 +104,7 @@ class SlabWalker {
       }
     move(low, high, level, parts, field, curves);
     for (std::size_t p = 0; p < panels_.size(); ++p)
-      if (level == high ? panels_[p].low == level : panels_[p].high == level)
-        start_panel(p, level);
+      if (level == high ? panels_[p].low == level : panels_[p].high == level) start_panel(p, level);
   }
 
   /// Adds points where the outline has some, so that both bend alike in R.
@@ -125,8 +125,8 @@ class SlabWalker {
     c = std::move(fine);
   }
 
-  /// An edge where a leaning linking face begins, and none ends, is taken where the face is halfway to
-  /// its other end, for the same reason as base_height().
+  /// An edge where a leaning linking face begins, and none ends, is taken where the face is halfway
+  /// to its other end, for the same reason as base_height().
   void lean_halfway(int level, bool upwards, ReferenceCurve& c) const {
     const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
     const FaceId ending = (upwards ? walls_.below : walls_.above)[c.edge.index];
@@ -139,7 +139,8 @@ class SlabWalker {
     }
   }
 
-  /// Points on the outline, and outside of it, move with the field; those inside by the section's map.
+  /// Points on the outline, and outside of it, move with the field; those inside by the section's
+  /// map.
   void move(int low, int high, int level, const std::vector<OutlinePart>& parts,
             const MeanValueField& field, const std::vector<ReferenceCurve*>& curves) {
     const auto loops = joined_loops(parts, 2 * seen_.coincidence);
@@ -168,8 +169,8 @@ class SlabWalker {
     }
   }
 
-  /// R at a place of an edge of an upright linking face, where another edge of that face lies over it
-  /// and is known: what is between them need not be solid.
+  /// R at a place of an edge of an upright linking face, where another edge of that face lies over
+  /// it and is known: what is between them need not be solid.
   std::optional<Point2> over_known_edges(EdgeId e, const Point2& x) const {
     std::vector<std::size_t> curves;
     for (const FaceId f : {walls_.above[e.index], walls_.below[e.index]}) {
@@ -194,7 +195,8 @@ class SlabWalker {
   }
 
   /// Carries points inside the section at `level` to R: through the slab to its other end, and from
-  /// there. In few steps if possible, or in smaller ones, in which the section keeps its shape nearly.
+  /// there. In few steps if possible, or in smaller ones, in which the section keeps its shape
+  /// nearly.
   std::vector<Point2> carried_through(int low, int high, int level,
                                       const std::vector<Point2>& points) const {
     constexpr int most_steps = 16;
@@ -218,7 +220,8 @@ class SlabWalker {
                            i < n ? seen_at_height(panels_[p], there) : in_r_[p]};
       });
       if (largest_move(parts) > seen_.coincidence)
-        points = carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_, context_);
+        points =
+            carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_, context_);
     }
     return points;
   }
@@ -243,8 +246,8 @@ class SlabWalker {
     return parts;
   }
 
-  /// A panel that begins at a level whose edges are known: takes R from these edges, and bends where
-  /// they bend.
+  /// A panel that begins at a level whose edges are known: takes R from these edges, and bends
+  /// where they bend.
   void start_panel(std::size_t p, int level) {
     Panel& panel = panels_[p];
     std::vector<std::size_t> curves;
@@ -307,7 +310,7 @@ class SlabWalker {
   const double size_;
   const Context& context_;
   std::vector<Panel> panels_;
-  std::vector<Polyline> in_r_;  ///< by panel, once known
+  std::vector<Polyline> in_r_;    ///< by panel, once known
   std::vector<char> is_known_;    ///< by curve: it is in R
   std::vector<char> is_upright_;  ///< by FaceId
   std::map<int, double> height_;

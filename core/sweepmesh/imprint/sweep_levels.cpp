@@ -91,9 +91,10 @@ std::vector<int> sweep_levels(const Model& model, const Scheme& scheme) {
       next.push_back(open.begin()->second);
       open.erase(open.begin());
     }
-    const int r = rank.empty() ? 0 : 1 + std::max_element(rank.begin(), rank.end(), [](auto& a, auto& b) {
-                                           return a.second < b.second;
-                                         })->second;
+    const int r =
+        rank.empty() ? 0 : 1 + std::max_element(rank.begin(), rank.end(), [](auto& a, auto& b) {
+                                 return a.second < b.second;
+                               })->second;
     for (const int root : next) rank[root] = r;
     for (const int root : next)
       for (const int high : above[root])

@@ -13,18 +13,20 @@ namespace sweepmesh {
 struct Walls {
   std::vector<int> vertex_level;  ///< -1 where it has none
   std::vector<int> level;         ///< of a transverse or cap-to-cap edge; -1 for others
-  std::vector<FaceId> above;  ///< the linking face that stands on the edge; invalid if none
-  std::vector<FaceId> below;  ///< the linking face that ends at the edge from below
+  std::vector<FaceId> above;      ///< the linking face that stands on the edge; invalid if none
+  std::vector<FaceId> below;      ///< the linking face that ends at the edge from below
   /// Whether the solid lies on the left of the edge's own direction, seen from above, next to
   ///  `above` and of `below`.
   std::vector<char> solid_left_above, solid_left_below;
-  std::vector<std::vector<EdgeId>> bottoms, tops;  ///< of a linking face: edges it stands on, ends at
-  std::vector<EdgeId> edges;                       ///< all with a level, ascending
+  std::vector<std::vector<EdgeId>> bottoms,
+      tops;                   ///< of a linking face: edges it stands on, ends at
+  std::vector<EdgeId> edges;  ///< all with a level, ascending
 };
 
-/// From the directions of the scheme and the levels of vertices (sweep_levels.h). Edges that one cap uses on both
-/// sides are left out: nothing depends on them. Throws Error("imprint") when an edge's ends have no
-/// level or different ones, or two linking faces lie on the same side of an edge.
+/// From the directions of the scheme and the levels of vertices (sweep_levels.h). Edges that one
+/// cap uses on both sides are left out: nothing depends on them. Throws Error("imprint") when an
+/// edge's ends have no level or different ones, or two linking faces lie on the same side of an
+/// edge.
 Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int>& level);
 
 }  // namespace sweepmesh

@@ -72,7 +72,8 @@ void expect_complete(const Model& model, const Imprint& imprint, const Point3& u
       EXPECT_LT(r.low, r.high);
       area[r.target] += area_of(imprint, p);
       area[r.source] += area_of(imprint, p);
-      volume += area_of(imprint, p) * (height_of(model, r.source, up) - height_of(model, r.target, up));
+      volume +=
+          area_of(imprint, p) * (height_of(model, r.source, up) - height_of(model, r.target, up));
     }
   EXPECT_NEAR(volume / model.volume(), 1.0, tolerance);
   for (const auto& [cap, a] : area)
@@ -80,20 +81,23 @@ void expect_complete(const Model& model, const Imprint& imprint, const Point3& u
         << name_of(cap);
 }
 
-/// Every CAD edge's chain covers its range without gaps; every loop closes; no edge has two CAD edges
-/// of one level.
+/// Every CAD edge's chain covers its range without gaps; every loop closes; no edge has two CAD
+/// edges of one level.
 void expect_consistent(const Model& model, const Imprint& imprint) {
   for (const EdgeId e : model.edges()) {
     const auto& chain = imprint.chain[e.index];
     double at = model.range(e).first;
     for (const DirectedEdge& d : chain) {
       const auto& traces = imprint.edges[d.edge].traces;
-      const auto t = std::find_if(traces.begin(), traces.end(), [&](const Trace& x) { return x.edge == e; });
+      const auto t =
+          std::find_if(traces.begin(), traces.end(), [&](const Trace& x) { return x.edge == e; });
       ASSERT_NE(t, traces.end());
       EXPECT_DOUBLE_EQ(d.reversed ? t->last : t->first, at);
       at = d.reversed ? t->first : t->last;
     }
-    if (!chain.empty()) { EXPECT_DOUBLE_EQ(at, model.range(e).second); }
+    if (!chain.empty()) {
+      EXPECT_DOUBLE_EQ(at, model.range(e).second);
+    }
   }
   for (const ImprintEdge& e : imprint.edges) {
     EXPECT_FALSE(e.traces.empty());
@@ -192,11 +196,11 @@ TEST(Imprint, NearStepsAreMergedBelowTheLimitAndKeptAboveIt) {
 
 TEST(Imprint, StepsOfTheSameLayersAreNeverMerged) {
   // A thin rib and a thin slot, far thinner than the merge distance.
-  const Model rib = test::terraced(
-      {{rectangle(0, 0, 40, 30), 0, 20}, {rectangle(20, 0, 20.1, 30), 10, 32}});
+  const Model rib =
+      test::terraced({{rectangle(0, 0, 40, 30), 0, 20}, {rectangle(20, 0, 20.1, 30), 10, 32}});
   EXPECT_EQ(imprinted(rib).patches.size(), 3u);
-  const Model slot = test::terraced({{rectangle(0, 0, 40, 30), 0, 20}},
-                                    {{rectangle(20, -1, 20.1, 31), 10, 40}});
+  const Model slot =
+      test::terraced({{rectangle(0, 0, 40, 30), 0, 20}}, {{rectangle(20, -1, 20.1, 31), 10, 40}});
   EXPECT_EQ(imprinted(slot).patches.size(), 3u);
 }
 
@@ -205,9 +209,10 @@ TEST(Imprint, CrossingsAreKeptAtEveryAngle) {
     SCOPED_TRACE(degrees);
     const double t = std::tan(degrees * std::numbers::pi / 180 / 2) * 100;
     // Steps along y that lean to either side and cross in the middle of a long solid.
-    const Model model = test::terraced({{rectangle(-150, -100, 150, 100), 0, 20},
-                                        {{{-150, -100}, {-t, -100}, {t, 100}, {-150, 100}}, 10, 32},
-                                        {{{-150, -100}, {t, -100}, {-t, 100}, {-150, 100}}, -12, 10}});
+    const Model model =
+        test::terraced({{rectangle(-150, -100, 150, 100), 0, 20},
+                        {{{-150, -100}, {-t, -100}, {t, 100}, {-150, 100}}, 10, 32},
+                        {{{-150, -100}, {t, -100}, {-t, 100}, {-150, 100}}, -12, 10}});
     for (const double fraction : {0.0, 0.25}) {
       const Imprint imprint = imprinted(model, fraction);
       expect_consistent(model, imprint);
@@ -215,7 +220,9 @@ TEST(Imprint, CrossingsAreKeptAtEveryAngle) {
       for (const Patch& p : imprint.patches)
         for (const auto& r : p.runs) pairs.insert({r.target, r.source});
       EXPECT_EQ(pairs.size(), 4u);
-      if (fraction == 0.0) { EXPECT_EQ(imprint.patches.size(), 4u); }
+      if (fraction == 0.0) {
+        EXPECT_EQ(imprint.patches.size(), 4u);
+      }
     }
   }
 }
@@ -234,8 +241,8 @@ TEST(Imprint, SlotsGiveSeveralRunsOverOnePatch) {
 
 TEST(Imprint, HolesAndWindowsInLinkingFaces) {
   // A window through a wall: its linking face has two loops, and the runs below and above are two.
-  const Model model = test::terraced({{rectangle(0, 0, 40, 30), 0, 30}},
-                                     {{rectangle(15, -1, 25, 31), 10, 20}});
+  const Model model =
+      test::terraced({{rectangle(0, 0, 40, 30), 0, 30}}, {{rectangle(15, -1, 25, 31), 10, 20}});
   const Imprint imprint = imprinted(model);
   expect_consistent(model, imprint);
   expect_complete(model, imprint, Point3::UnitZ(), 1e-9);
@@ -243,7 +250,20 @@ TEST(Imprint, HolesAndWindowsInLinkingFaces) {
   EXPECT_EQ(n_runs(imprint), 4u);
 }
 
-// --- failures --------------------------------------------------------------------------------------
+TEST(Imprint, LeaningAndTwistedPocketsHaveOneCurveForFloorAndRim) {
+  for (const double twist : {0.0, 0.3, 1.0})
+    for (const double growth : {0.7, 1.0, 1.4}) {
+      const Model model = test::pocketed(twist, growth);
+      const Imprint imprint = imprinted(model);
+      expect_consistent(model, imprint);
+      EXPECT_EQ(imprint.patches.size(), 2u) << twist << " " << growth;
+      EXPECT_EQ(imprint.edges.size(), 8u);
+      for (const ImprintEdge& e : imprint.edges) EXPECT_EQ(e.traces.size(), 2u);
+    }
+}
+
+// --- failures
+// --------------------------------------------------------------------------------------
 
 ImprintError error_of(const Model& model, const Scheme& scheme) {
   try {

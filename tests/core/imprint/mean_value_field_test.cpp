@@ -11,7 +11,9 @@ namespace {
 const Polyline square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}};
 const Polyline hole = {{1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}};
 
-Point2 affine(const Point2& p) { return {1.0 + 2.0 * p.x() - p.y(), 0.5 * p.x() + 3.0 * p.y()}; }
+Point2 affine(const Point2& p) {
+  return {1.0 + 2.0 * p.x() - p.y(), 0.5 * p.x() + 3.0 * p.y()};
+}
 
 TEST(MeanValueField, AffineMapsAreExactInsideAndOutside) {
   MeanValueField field(1e-9);

@@ -33,7 +33,9 @@ TEST(Polyline, ResamplingKeepsCornersAndSpacing) {
   bool has_corner = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     has_corner |= points[i].point == corner[1];
-    if (i > 0) { EXPECT_LE(points[i].arc - points[i - 1].arc, 0.4 + 1e-12); }
+    if (i > 0) {
+      EXPECT_LE(points[i].arc - points[i - 1].arc, 0.4 + 1e-12);
+    }
   }
   EXPECT_TRUE(has_corner);
 }

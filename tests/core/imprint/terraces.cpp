@@ -5,6 +5,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
@@ -54,6 +55,29 @@ Model terraced(const std::vector<Terrace>& terraces, const std::vector<Terrace>&
   return Model::from_brep(text.str());
 }
 
+Model pocketed(double twist, double growth, const Placement& placement) {
+  constexpr double floor = 16, top = 50;
+  const auto outline = [&](double z) {
+    const double share = (z - floor) / (top - floor);
+    const double turn = share * twist, size = 1 + share * (growth - 1);
+    BRepBuilderAPI_MakePolygon wire;
+    for (const Point2& p : rectangle(-14 * size, -8 * size, 14 * size, 8 * size)) {
+      const Point2 q = Eigen::Rotation2Dd(turn) * p;
+      wire.Add(gp_Pnt(q.x(), q.y(), z));
+    }
+    wire.Close();
+    return wire.Wire();
+  };
+  BRepOffsetAPI_ThruSections loft(true, true);
+  loft.AddWire(outline(floor));
+  loft.AddWire(outline(top));
+  loft.AddWire(outline(top + 1));
+  const TopoDS_Shape block = prism({rectangle(-30, -30, 30, 30), 0, top});
+  std::ostringstream text;
+  BRepTools::Write(placed(BRepAlgoAPI_Cut(block, loft.Shape()).Shape(), placement), text);
+  return Model::from_brep(text.str());
+}
+
 std::vector<Point2> rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
@@ -77,7 +101,8 @@ std::vector<Terrace> random_terraces(unsigned seed) {
   for (int i = 0; i < n_up + n_down; ++i) {
     const double radius = between(8, 14);
     const Point2 centre(between(radius + 2, 58 - radius), between(radius + 2, 48 - radius));
-    const auto outline = regular_polygon(centre, radius, 3 + static_cast<int>(random() % 5), between(0, 2));
+    const auto outline =
+        regular_polygon(centre, radius, 3 + static_cast<int>(random() % 5), between(0, 2));
     if (i < n_up)
       out.push_back({outline, 10, between(26, 40)});
     else
@@ -87,7 +112,8 @@ std::vector<Terrace> random_terraces(unsigned seed) {
 }
 
 Scheme upright_scheme(const Model& model, const Placement& placement) {
-  const Point3 up = Eigen::AngleAxisd(placement.angle, placement.axis.normalized()) * Point3::UnitZ();
+  const Point3 up =
+      Eigen::AngleAxisd(placement.angle, placement.axis.normalized()) * Point3::UnitZ();
   std::vector<FaceRole> roles(model.n_faces(), FaceRole::none);
   for (const FaceId f : model.faces()) {
     const auto [low, high] = model.uv_bounds(f);

@@ -47,7 +47,8 @@ int n_components(const PlaneArrangement& a) {
   };
   for (const auto& e : a.edges) group[find(e.start)] = find(e.end);
   int n = 0;
-  for (std::size_t i = 0; i < group.size(); ++i) n += find(static_cast<int>(i)) == static_cast<int>(i);
+  for (std::size_t i = 0; i < group.size(); ++i)
+    n += find(static_cast<int>(i)) == static_cast<int>(i);
   return n;
 }
 

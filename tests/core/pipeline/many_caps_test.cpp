@@ -1,5 +1,5 @@
-// Sweeps with many sources and targets, from model to mesh: near-coincident curves, crossings, slots,
-// random terraces.
+// Sweeps with many sources and targets, from model to mesh: near-coincident curves, crossings,
+// slots, random terraces.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -79,11 +79,44 @@ TEST(ManyCaps, SlotsRibsAndWindows) {
                                         {rectangle(0, 0, 40, 30), 0, 10},
                                         {rectangle(0, 0, 40, 30), 20, 30}});
   expect_valid(slotted, swept(slotted, 4.0));
-  const Model window = test::terraced({{rectangle(0, 0, 40, 30), 0, 30}},
-                                      {{rectangle(15, -1, 25, 31), 10, 20}});
+  const Model window =
+      test::terraced({{rectangle(0, 0, 40, 30), 0, 30}}, {{rectangle(15, -1, 25, 31), 10, 20}});
   expect_valid(window, swept(window, 4.0));
-  const Model rib = test::terraced({{rectangle(0, 0, 40, 30), 0, 20}, {rectangle(20, 0, 21, 30), 10, 32}});
+  const Model rib =
+      test::terraced({{rectangle(0, 0, 40, 30), 0, 20}, {rectangle(20, 0, 21, 30), 10, 32}});
   expect_valid(rib, swept(rib, 4.0));
+}
+
+TEST(ManyCaps, TwistedAndTaperedPockets) {
+  for (const double twist : {0.3, 1.0})
+    for (const double growth : {0.7, 1.4}) {
+      SCOPED_TRACE(twist * growth);
+      const Model model = test::pocketed(twist, growth);
+      const SweepResult result = swept(model, 5.0);
+      EXPECT_EQ(result.quality.n_inverted, 0);
+      EXPECT_GT(result.quality.scaled_jacobian.min, 0.15);
+      EXPECT_NEAR(result.quality.total_volume / model.volume(), 1.0, 0.01);
+      expect_conforming(result.mesh);
+    }
+}
+
+TEST(ManyCaps, PrismsAreSweptOverTheSamePatches) {
+  const Model model = test::terraced({{rectangle(0, 0, 40, 30), 0, 20},
+                                      {rectangle(0, 0, 20, 30), 10, 32},
+                                      {rectangle(0, 0, 40, 12), -12, 10}});
+  const Scheme scheme = test::upright_scheme(model);
+  Picks picks;
+  picks.sources = scheme.faces_with(FaceRole::source);
+  picks.targets = scheme.faces_with(FaceRole::target);
+  SweepOptions options;
+  options.size = 5.0;
+  options.element = ElementKind::prism;
+  Context context;
+  const SweepResult result = sweep(model, picks, options, context);
+  EXPECT_FALSE(result.mesh.prisms.empty());
+  EXPECT_TRUE(result.mesh.hexahedra.empty());
+  EXPECT_EQ(result.quality.n_inverted, 0);
+  EXPECT_NEAR(result.quality.total_volume / model.volume(), 1.0, 1e-9);
 }
 
 /// Random solids mesh at a rate of at least nine in ten; whatever fails is a typed error that names

@@ -124,7 +124,8 @@ class Reader {
     }
     edge.end = vertex_.at(&*h->target());
     for (const int c : polylines_of(first))
-      edge.uses.push_back({c, position(first, c, edge.points.front()), position(h, c, edge.points.back())});
+      edge.uses.push_back(
+          {c, position(first, c, edge.points.front()), position(h, c, edge.points.back())});
     out_.edges.push_back(std::move(edge));
   }
 
