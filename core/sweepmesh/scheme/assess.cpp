@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/scheme/distortion.h"
 #include "sweepmesh/scheme/pairs.h"
 #include "sweepmesh/scheme/prismatic.h"
 #include "sweepmesh/scheme/reasons.h"
@@ -105,17 +106,22 @@ int n_unasked_caps(const Division& division, const std::vector<Pick>& picks) {
 /// Best first. Where nothing tells sources and targets apart (no picks), the more are the sources.
 std::vector<Scheme> ranked(const Model& model, const Network& network,
                            std::vector<Division> divisions, const std::vector<Pick>& picks) {
-  std::vector<std::tuple<bool, Rank, const Division*>> order;
+  std::vector<std::tuple<bool, Rank, std::size_t>> order;
+  std::vector<Scheme> schemes;
   for (Division& d : divisions) {
     if (picks.empty() && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
-    order.emplace_back(n_unasked_caps(d, picks) > 0, rank_of(network, d), &d);
+    Scheme scheme = to_scheme(network, d, model.n_faces(), model.n_edges());
+    scheme.cost += sweep_distortion(model, scheme);
+    Rank rank = rank_of(network, d);
+    rank.cost = scheme.cost;
+    order.emplace_back(n_unasked_caps(d, picks) > 0, rank, schemes.size());
+    schemes.push_back(std::move(scheme));
   }
   std::ranges::sort(order, [](const auto& a, const auto& b) {
     return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
   });
   std::vector<Scheme> out;
-  for (const auto& [is_unasked, rank, d] : order)
-    out.push_back(to_scheme(network, *d, model.n_faces(), model.n_edges()));
+  for (const auto& [is_unasked, rank, s] : order) out.push_back(std::move(schemes[s]));
   return out;
 }
 
