@@ -9,7 +9,24 @@ import sweepmesh
 JUDGE = find_judge()
 
 
-@pytest.mark.parametrize("case", cases("1-1", "M-1"), ids=lambda case: case.label)
+# Sweeps that are sound but not served yet; "free" is without picks.
+NOT_SERVED = {
+    "typhoon_hole-free",
+    "pipe_junction-scheme0",
+    "hollow_box_shell-scheme0",
+    "sphere_shell-free",
+    "sphere_shell-scheme0",
+}
+
+
+def of_kinds(*kinds, served=True):
+    """Cases of these kinds that are served, or that are not."""
+    return [case for case in cases(*kinds) if (case.label not in NOT_SERVED) == served]
+
+
+@pytest.mark.parametrize(
+    "case", of_kinds("1-1", "M-1", "M-N", "submap", "radial"), ids=lambda case: case.label
+)
 def test_is_meshed(case, tmp_path):
     model, result = case.mesh()
     assert result.assessment.is_sweepable, [reason.text for reason in result.assessment.reasons]
@@ -20,28 +37,24 @@ def test_is_meshed(case, tmp_path):
         assert verdict["failures"] == []
 
 
-@pytest.mark.parametrize("case", cases("unsweepable"), ids=lambda case: case.label)
-def test_what_cannot_be_swept_is_refused_with_a_reason_or_an_error(case):
-    """A one-to-one sweeper may refuse for another reason than the manifest's; it must not return a bad mesh."""
-    try:
-        model, result = case.mesh()
-    except sweepmesh.SweepMeshError as error:
-        assert str(error).endswith(".")
-        return
-    if result.assessment.is_sweepable:
-        expect_valid_sweep(result, model, case.genus)
-    else:
-        assert result.assessment.reasons
-
-
-@pytest.mark.parametrize("case", cases("M-N", "radial", "submap"), ids=lambda case: case.label)
-def test_other_solids_are_served_rightly_or_refused_in_a_sentence(case):
+@pytest.mark.parametrize(
+    "case", of_kinds("M-N", "radial", served=False), ids=lambda case: case.label
+)
+def test_what_is_not_served_yet_is_meshed_rightly_or_refused_in_a_sentence(case):
     try:
         model, result = case.mesh()
     except sweepmesh.SweepMeshError as error:
         assert str(error).endswith(".") and error.stage
         return
+    expect_valid_sweep(result, model, case.genus)
+
+
+@pytest.mark.parametrize("case", cases("unsweepable"), ids=lambda case: case.label)
+def test_what_cannot_be_swept_gives_reasons_or_a_valid_mesh(case):
+    """With other picks than the manifest's some can be swept: whatever comes out must be right."""
+    model, result = case.mesh()
     if result.assessment.is_sweepable:
         expect_valid_sweep(result, model, case.genus)
     else:
         assert all(reason.text.endswith(".") for reason in result.assessment.reasons)
+        assert result.assessment.reasons
