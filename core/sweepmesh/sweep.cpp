@@ -135,27 +135,29 @@ BoundaryMesh boundary_with_merging(const Model& model, const Scheme& scheme, dou
   });
 }
 
-/// Near curves are brought together within the usual distance, or, where some cells then have no
-/// room on a cap, within another one.
+/// Near curves are brought together within the usual distance, or, where curves then get into each
+/// other's way or cells have no room on a cap, within another one. If none will do, the first error
+/// counts.
 BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
                               const IntervalOptions& options, CellKind kind, StageClock& clock,
                               Context& context, SweepResult& result) {
   const double usual = ImprintOptions{}.merge_fraction;
-  try {
-    return boundary_with_merging(model, scheme, usual, options, kind, clock, context, result);
-  } catch (const InvalidMeshError&) {
-    for (const double share : {0.4, 1.6, 0.1}) try {
-        BoundaryMesh boundary = boundary_with_merging(model, scheme, share * usual, options, kind,
-                                                      clock, context, result);
+  std::exception_ptr first;
+  for (const double fraction : {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual}) try {
+      BoundaryMesh boundary =
+          boundary_with_merging(model, scheme, fraction, options, kind, clock, context, result);
+      if (fraction != usual)
         result.warnings.push_back(
-            "Curves of different caps are brought together where they are nearer "
-            "than " +
-            std::to_string(std::lround(100 * share * usual)) + " % of the element size.");
-        return boundary;
-      } catch (const InvalidMeshError&) {
-      }
-    throw;
-  }
+            "Curves of different caps are brought together where they are nearer than " +
+            std::to_string(std::lround(100 * fraction)) + " % of the element size.");
+      return boundary;
+    } catch (const InvalidMeshError&) {
+      if (!first) first = std::current_exception();
+    } catch (const ImprintError& e) {
+      if (!first) first = std::current_exception();
+      if (e.entities().empty()) break;  // nothing that merging could change
+    }
+  std::rethrow_exception(first);
 }
 
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
