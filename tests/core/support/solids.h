@@ -1,6 +1,7 @@
 // Solids made in code, by family, for tests of all stages. OpenCASCADE stays inside solids.cpp.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ struct NamedModel {
   std::string name;
   Model model;
 };
+
+/// Test reports show the name.
+inline void PrintTo(const NamedModel& named, std::ostream* stream) { *stream << named.name; }
 
 /// Right prisms over a square, an L, a hexagon, a disc, a ring, a plate with several holes.
 std::vector<NamedModel> prisms();
