@@ -162,14 +162,7 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
 
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
-  const PlacementReport report =
-      place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
-  if (!report.inverted.empty())
-    throw InvalidMeshError(
-        "place",
-        std::to_string(report.inverted.size()) +
-            " elements stay inverted: no valid position of the nodes inside was found.",
-        {}, report.inverted);
+  place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
   VolumeMesh mesh = build_volume_mesh(assembly.extrusion, std::move(assembly.points));
   add_boundary(boundary.surface, assembly, mesh);
   return mesh;
