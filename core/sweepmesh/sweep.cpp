@@ -95,7 +95,7 @@ void refuse_explosion(const Model& model, const SweepOptions& options, double si
   refuse("About " + in_millions(expected) +
          " elements are to be expected, more than the limit of " +
          in_millions(static_cast<double>(options.max_elements)) +
-         "; choose a larger size, or lift the limit with --force (max_elements in Python).");
+         "; choose a larger size, or lift the limit (max_elements).");
 }
 
 bool is_one_to_one(const Scheme& scheme) {

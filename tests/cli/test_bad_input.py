@@ -91,6 +91,7 @@ def test_bad_options(sweepmesh, shapes, tmp_path, what):
     done = sweepmesh(shapes / "brick.step", *options)
     assert_one_sentence(done, tmp_path)
     assert word in done.stderr
+    assert done.stderr.count("--force") <= 1
 
 
 @pytest.mark.parametrize("options", [["--size", "0.01"], ["--size", "1e-30"], ["--layers", "2000000000"]])
