@@ -7,15 +7,14 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
-#include <BRepTools.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <sstream>
 #include <stdexcept>
 
 #include "sweepmesh/scheme/assess.h"
+#include "to_model.h"
 
 namespace sweepmesh::test {
 namespace {
@@ -50,9 +49,7 @@ Model terraced(const std::vector<Terrace>& terraces, const std::vector<Terrace>&
   for (std::size_t i = 1; i < terraces.size(); ++i)
     shape = BRepAlgoAPI_Fuse(shape, prism(terraces[i])).Shape();
   for (const Terrace& t : pockets) shape = BRepAlgoAPI_Cut(shape, prism(t)).Shape();
-  std::ostringstream text;
-  BRepTools::Write(placed(unified(shape), placement), text);
-  return Model::from_brep(text.str());
+  return to_model(placed(unified(shape), placement));
 }
 
 Model pocketed(double twist, double growth, const Placement& placement) {
@@ -73,9 +70,7 @@ Model pocketed(double twist, double growth, const Placement& placement) {
   loft.AddWire(outline(top));
   loft.AddWire(outline(top + 1));
   const TopoDS_Shape block = prism({rectangle(-30, -30, 30, 30), 0, top});
-  std::ostringstream text;
-  BRepTools::Write(placed(BRepAlgoAPI_Cut(block, loft.Shape()).Shape(), placement), text);
-  return Model::from_brep(text.str());
+  return to_model(placed(BRepAlgoAPI_Cut(block, loft.Shape()).Shape(), placement));
 }
 
 std::vector<Point2> rectangle(double x0, double y0, double x1, double y1) {

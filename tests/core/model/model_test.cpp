@@ -13,24 +13,17 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <BRepTools.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <numbers>
-#include <sstream>
 
 #include "sweepmesh/base/errors.h"
+#include "to_model.h"
 
 namespace sweepmesh {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Model model_of(const TopoDS_Shape& shape) {
-  std::ostringstream text;
-  BRepTools::Write(shape, text);
-  return Model::from_brep(text.str());
-}
 
 TopoDS_Shape box(double x, double y, double z) {
   return BRepPrimAPI_MakeBox(x, y, z).Shape();
@@ -86,7 +79,7 @@ TopoDS_Shape oriented_outwards(const TopoDS_Shape& shape) {
 TEST(Model, loops_are_closed_and_have_the_face_on_their_left) {
   for (const auto& [name, shape] : family()) {
     SCOPED_TRACE(name);
-    const Model model = model_of(shape);
+    const Model model = test::to_model(shape);
     for (const FaceId f : model.faces())
       for (const Loop& loop : model.loops(f)) {
         double area = 0;
@@ -111,7 +104,7 @@ TEST(Model, loops_are_closed_and_have_the_face_on_their_left) {
 TEST(Model, normals_point_out_of_the_solid) {
   for (const auto& [name, shape] : family()) {
     SCOPED_TRACE(name);
-    const Model model = model_of(shape);
+    const Model model = test::to_model(shape);
     const double step = 1e-3;
     BRepClass3d_SolidClassifier classifier(oriented_outwards(shape));
     for (const FaceId f : model.faces())
@@ -133,7 +126,7 @@ TEST(Model, normals_point_out_of_the_solid) {
 TEST(Model, box_has_right_angles_inside_and_between_its_faces) {
   for (const TopoDS_Shape& shape :
        {box(1, 2, 3), box(1, 2, 3).Reversed(), mirrored(box(1, 2, 3))}) {
-    const Model model = model_of(shape);
+    const Model model = test::to_model(shape);
     ASSERT_EQ(model.faces().size(), 6u);
     const Point3 centre = (model.bounding_box().first + model.bounding_box().second) / 2;
     for (const EdgeId e : model.edges()) EXPECT_NEAR(model.dihedral(e), pi / 2, 1e-9);
@@ -148,7 +141,7 @@ TEST(Model, box_has_right_angles_inside_and_between_its_faces) {
 }
 
 TEST(Model, l_solid_has_one_concave_edge_and_two_reflex_angles) {
-  const Model model = model_of(l_solid());
+  const Model model = test::to_model(l_solid());
   int n_concave = 0, n_reflex = 0;
   for (const EdgeId e : model.edges())
     if (std::abs(model.dihedral(e) - 1.5 * pi) < 1e-9) ++n_concave;
@@ -160,7 +153,7 @@ TEST(Model, l_solid_has_one_concave_edge_and_two_reflex_angles) {
 }
 
 TEST(Model, cylinder_wall_is_four_sided_through_its_seam) {
-  const Model model = model_of(cylinder(1, 2));
+  const Model model = test::to_model(cylinder(1, 2));
   int n_walls = 0;
   for (const FaceId f : model.faces()) {
     if (model.is_planar(f)) continue;
@@ -185,7 +178,7 @@ TEST(Model, cylinder_wall_is_four_sided_through_its_seam) {
 TEST(Model, uv_of_coedges_lies_on_the_edge) {
   for (const auto& [name, shape] : family()) {
     SCOPED_TRACE(name);
-    const Model model = model_of(shape);
+    const Model model = test::to_model(shape);
     for (const EdgeId e : model.edges())
       for (const Coedge& c : model.coedges(e))
         for (const double t : model.at_length_fractions(e, {0.0, 0.3, 0.77, 1.0}))
@@ -195,7 +188,7 @@ TEST(Model, uv_of_coedges_lies_on_the_edge) {
 }
 
 TEST(Model, length_fractions_divide_the_length) {
-  const Model model = model_of(BRepPrimAPI_MakeTorus(3, 1, pi / 2).Shape());
+  const Model model = test::to_model(BRepPrimAPI_MakeTorus(3, 1, pi / 2).Shape());
   for (const EdgeId e : model.edges()) {
     std::vector<double> fractions;
     for (int i = 0; i <= 50; ++i) fractions.push_back(i / 50.0);
@@ -207,7 +200,7 @@ TEST(Model, length_fractions_divide_the_length) {
 }
 
 TEST(Model, nearest_face_and_distance_agree) {
-  const Model model = model_of(box(10, 10, 10));
+  const Model model = test::to_model(box(10, 10, 10));
   for (const FaceId f : model.faces()) {
     const Point2 uv = (model.uv_bounds(f).first + model.uv_bounds(f).second) / 2;
     EXPECT_EQ(model.nearest_face(model.point(f, uv)), f);
@@ -219,7 +212,7 @@ TEST(Model, nearest_face_and_distance_agree) {
 TEST(Model, projection_onto_an_edge_finds_its_own_points) {
   for (const auto& [name, shape] : family()) {
     SCOPED_TRACE(name);
-    const Model model = model_of(shape);
+    const Model model = test::to_model(shape);
     for (const EdgeId e : model.edges())
       for (const double t : model.at_length_fractions(e, {0.0, 0.21, 0.5, 0.9, 1.0})) {
         const Point3 p = model.point(e, t);
@@ -231,7 +224,7 @@ TEST(Model, projection_onto_an_edge_finds_its_own_points) {
 TEST(Model, what_is_no_solid_is_refused_in_a_sentence) {
   const auto refuses = [](const TopoDS_Shape& shape, const std::string& part) {
     try {
-      model_of(shape);
+      test::to_model(shape);
       ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();

@@ -12,7 +12,6 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GeomAPI_Interpolate.hxx>
@@ -22,16 +21,11 @@
 #include <TopoDS.hxx>
 #include <cmath>
 #include <gp_Circ.hxx>
-#include <sstream>
+
+#include "to_model.h"
 
 namespace sweepmesh::test {
 namespace {
-
-Model to_model(const TopoDS_Shape& shape) {
-  std::ostringstream text;
-  BRepTools::Write(shape, text);
-  return Model::from_brep(text.str());
-}
 
 TopoDS_Shape block(const gp_Pnt& low, const gp_Pnt& high) {
   return BRepPrimAPI_MakeBox(low, high).Shape();

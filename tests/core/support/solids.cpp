@@ -13,7 +13,6 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
@@ -21,18 +20,13 @@
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <numbers>
-#include <sstream>
+
+#include "to_model.h"
 
 namespace sweepmesh::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Model to_model(const TopoDS_Shape& shape) {
-  std::ostringstream text;
-  BRepTools::Write(shape, text);
-  return Model::from_brep(text.str());
-}
 
 TopoDS_Wire polygon(const std::vector<Point2>& points, double z = 0) {
   BRepBuilderAPI_MakePolygon wire;

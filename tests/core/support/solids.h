@@ -15,7 +15,9 @@ struct NamedModel {
 };
 
 /// Test reports show the name.
-inline void PrintTo(const NamedModel& named, std::ostream* stream) { *stream << named.name; }
+inline void PrintTo(const NamedModel& named, std::ostream* stream) {
+  *stream << named.name;
+}
 
 /// Right prisms over a square, an L, a hexagon, a disc, a ring, a plate with several holes.
 std::vector<NamedModel> prisms();

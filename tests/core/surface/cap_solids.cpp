@@ -11,24 +11,18 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <BRepTools.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
+
+#include "to_model.h"
 
 namespace sweepmesh::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Model to_model(const TopoDS_Shape& shape) {
-  std::ostringstream text;
-  BRepTools::Write(shape, text);
-  return Model::from_brep(text.str());
-}
 
 gp_Ax2 upwards(double x, double y, double z) {
   return {gp_Pnt(x, y, z), gp_Dir(0, 0, 1)};
