@@ -10,6 +10,8 @@ Each takes a document object or a Part shape, and settings by keyword:
     targets       faces on which it ends; none given: found
     solid         which solid of several is meshed, from 1; none given: all, side by side
     pairs         [(source, target), ...]: this source is to be swept to this target
+    vertex_types  {("Face3", "Vertex7"): "corner", ...}: "end", "side", "corner" or "reversal" at a vertex of a
+                  linking face, names or numbers; others are found
     threads       0: all processors
     max_elements  refuse meshes that would have more
 
