@@ -32,7 +32,8 @@ int index_of(const SweepProblem& problem, FaceId id) {
   return static_cast<int>(at - problem.faces.begin());
 }
 
-/// Throws where a vertex is given two types on one face, or a type on a face that is picked as a cap.
+/// Throws where a vertex is given two types on one face, or a type on a face that is picked as a
+/// cap.
 void check_types(const Picks& picks) {
   std::set<FaceId> caps(picks.sources.begin(), picks.sources.end());
   caps.insert(picks.targets.begin(), picks.targets.end());
@@ -323,8 +324,8 @@ class Assessor {
   const Picks& picks_;
   Context& context_;
   SweepProblem problem_;
-  std::vector<Pick> chosen_;  ///< caps
-  std::vector<Pick> asked_;   ///< and the faces with vertex types
+  std::vector<Pick> chosen_;         ///< caps
+  std::vector<Pick> asked_;          ///< and the faces with vertex types
   bool is_strict_complete_ = false;  ///< some search proved that there is nothing
   std::optional<Reason> opposed_;    ///< found within the strict limits, but for walls
 };
