@@ -233,6 +233,8 @@ class Assessor {
       return *found;
     }
     if (opposed_) return {{}, {*opposed_}};
+    if (auto found = try_with(make_network(problem_, tangent_limits(), fixed), chosen_))
+      return *found;
     context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
     if (!chosen_.empty() || !fixed.empty())
