@@ -233,7 +233,7 @@ class Assessor {
       return *found;
     }
     if (opposed_) return {{}, {*opposed_}};
-    if (auto found = try_with(make_network(problem_, tangent_limits(), fixed), chosen_))
+    if (auto found = try_with(make_network(problem_, tangent_limits(), fixed), asked_))
       return *found;
     context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
