@@ -1,7 +1,7 @@
 """What a run can be told. Every default is the one of the C++ core."""
 
 import dataclasses
-from typing import List, Optional, Tuple
+from typing import Dict, List, Optional, Tuple
 
 from sweepmesh.engine import _sweepmesh
 from sweepmesh.engine.errors import input_error
@@ -32,6 +32,18 @@ class Options:
     pairs: List[Tuple[int, int]] = dataclasses.field(default_factory=list)
     """(source, target): this source is to be swept to this target."""
 
+    edge_count: Dict[int, int] = dataclasses.field(default_factory=dict)
+    """{5: 12}: exactly 12 mesh edges on Edge5."""
+    edge_size: Dict[int, float] = dataclasses.field(default_factory=dict)
+    """{5: 0.8}: wished edge length on Edge5, instead of `size`."""
+    edge_bias: Dict[int, Tuple[float, bool]] = dataclasses.field(default_factory=dict)
+    """{5: (1.2, False)}: on Edge5 each mesh edge is 1.2 times as long as the one before, from the edge's start to its
+    end; (1.2, True): from both ends to the middle. Edges without are divided evenly."""
+    sweep_bias: Optional[Tuple[float, bool]] = None
+    """The same for all edges along the sweep that have none of their own, from the lower to the higher layer."""
+    imprint_tolerance: Optional[float] = None
+    """Curves of different caps nearer than this length are brought together. None: from the size."""
+
     solid: Optional[int] = None
     """The solid to mesh, from 1, in a shape of several. None: all of them."""
 
@@ -44,7 +56,19 @@ class Options:
         core.order = self.order
         if self.max_elements is not None:
             core.max_elements = self.max_elements
+        self._add_edges_to(core)
+        if self.sweep_bias is not None:
+            core.sweep_bias = _sweepmesh.Bias(*self.sweep_bias)
+        core.imprint_tolerance = self.imprint_tolerance
         return core
+
+    def _add_edges_to(self, core):
+        for edge, count in self.edge_count.items():
+            core.set_edge_count(edge - 1, count)
+        for edge, size in self.edge_size.items():
+            core.set_edge_size(edge - 1, size)
+        for edge, bias in self.edge_bias.items():
+            core.set_edge_bias(edge - 1, _sweepmesh.Bias(*bias))
 
     def picks(self, n_faces):
         """The C++ module's Picks; InputError for a face that a shape of `n_faces` faces does not have."""
