@@ -1,3 +1,4 @@
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include "bind.h"
@@ -11,7 +12,8 @@ void bind_plan(py::module_& module) {
   py::enum_<EdgeRole>(module, "EdgeRole")
       .value("none", EdgeRole::none)
       .value("transverse", EdgeRole::transverse)
-      .value("axial", EdgeRole::axial);
+      .value("axial", EdgeRole::axial)
+      .value("divided", EdgeRole::divided);
   py::class_<CornerType>(module, "CornerType")
       .def_property_readonly("face", [](const CornerType& c) { return c.face.index; })
       .def_property_readonly("vertex", [](const CornerType& c) { return c.vertex.index; })
@@ -21,6 +23,7 @@ void bind_plan(py::module_& module) {
       .def_readonly("size", &SweepPlan::size)
       .def_readonly("corners", &SweepPlan::corners)
       .def_property_readonly("edge_intervals", [](const SweepPlan& p) { return p.intervals.edge; })
+      .def_readonly("edge_nodes", &SweepPlan::edge_nodes)
       .def_property_readonly("vertex_level", [](const SweepPlan& p) { return p.intervals.k; })
       .def_property_readonly("n_layers", [](const SweepPlan& p) { return p.intervals.n_layers; })
       .def_property_readonly("edge_role", [](const SweepPlan& p) {

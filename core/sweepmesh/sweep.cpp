@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sweepmesh/boundary.h"
+#include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprinted_boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
@@ -56,6 +57,9 @@ void check_options(const SweepOptions& options) {
     refuse("The element size must be a positive number.");
   if (options.layers && *options.layers < 1) refuse("The number of layers must be at least 1.");
   if (options.order != 1 && options.order != 2) refuse("The element order must be 1 or 2.");
+  if (options.imprint_tolerance &&
+      !(std::isfinite(*options.imprint_tolerance) && *options.imprint_tolerance >= 0))
+    refuse("The imprint tolerance must be a number that is not negative.");
   if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
   if (options.element == ElementKind::polyhedron)
     refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
@@ -69,12 +73,39 @@ void check_picks(const Picks& picks) {
     if (source == target) refuse(name_of(source) + " is paired with itself.", {name_of(source)});
 }
 
-IntervalOptions interval_options(const SweepOptions& options, double size) {
+namespace {
+
+/// What is said of edges of this solid; edges of other solids are left to those.
+template <class Wish>
+std::map<EdgeId, Wish> on_own_edges(const Model& model, const std::map<EdgeId, Wish>& wishes) {
+  const auto& edges = model.edges();
+  std::map<EdgeId, Wish> own;
+  for (const auto& [edge, wish] : wishes) {
+    if (edge.index < 0 || edge.index >= model.n_edges())
+      refuse("The shape has no " + name_of(edge) + ".", {name_of(edge)});
+    if (std::binary_search(edges.begin(), edges.end(), edge)) own.emplace(edge, wish);
+  }
+  return own;
+}
+
+}  // namespace
+
+IntervalOptions interval_options(const Model& model, const SweepOptions& options, double size) {
   IntervalOptions out;
   out.size = size;
   out.layers = options.layers;
+  out.edge_size = on_own_edges(model, options.edge_size);
+  out.edge_count = on_own_edges(model, options.edge_count);
+  out.edge_bias = on_own_edges(model, options.edge_bias);
+  out.sweep_bias = options.sweep_bias;
   out.quad_caps = options.element == ElementKind::hex;
   return out;
+}
+
+std::vector<double> merge_fractions(const SweepOptions& options, double size) {
+  if (options.imprint_tolerance) return {std::min(1.0, *options.imprint_tolerance / size)};
+  const double usual = ImprintOptions{}.merge_fraction;
+  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual};
 }
 
 namespace {
@@ -88,7 +119,7 @@ std::string in_millions(double count) {
 }  // namespace
 
 void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
-  IntervalOptions intervals = interval_options(options, size);
+  const IntervalOptions intervals = interval_options(model, options, size);
   double expected = expected_elements(model, intervals);
   if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
   if (expected <= static_cast<double>(options.max_elements)) return;
@@ -135,18 +166,18 @@ BoundaryMesh boundary_with_merging(const Model& model, const Scheme& scheme, dou
   });
 }
 
-/// Near curves are brought together within the usual distance, or, where curves then get into each
+/// Near curves are brought together within the first distance, or, where curves then get into each
 /// other's way or cells have no room on a cap, within another one. If none will do, the first error
 /// counts.
 BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
-                              const IntervalOptions& options, CellKind kind, StageClock& clock,
+                              const IntervalOptions& options, CellKind kind,
+                              const std::vector<double>& fractions, StageClock& clock,
                               Context& context, SweepResult& result) {
-  const double usual = ImprintOptions{}.merge_fraction;
   std::exception_ptr first;
-  for (const double fraction : {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual}) try {
+  for (const double fraction : fractions) try {
       BoundaryMesh boundary =
           boundary_with_merging(model, scheme, fraction, options, kind, clock, context, result);
-      if (fraction != usual)
+      if (fraction != fractions.front())
         result.warnings.push_back(
             "Curves of different caps are brought together where they are nearer than " +
             std::to_string(std::lround(100 * fraction)) + " % of the element size.");
@@ -171,12 +202,13 @@ VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
 /// Meshes one scheme into result.mesh and result.intervals; throws the stages' errors.
 void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                  StageClock& clock, Context& context, SweepResult& result) {
-  const IntervalOptions intervals = interval_options(options, result.size);
+  const IntervalOptions intervals = interval_options(model, options, result.size);
   const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
   const BoundaryMesh boundary =
       is_one_to_one(scheme)
           ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
-          : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
+          : boundary_of_many(model, scheme, intervals, kind, merge_fractions(options, result.size),
+                             clock, context, result);
   context.report(0.6, "Placing interior nodes");
   result.mesh = clock.run("place", [&] {
     VolumeMesh mesh = fill(boundary, context);
@@ -204,6 +236,16 @@ Assessment folded(const InvalidMeshError& error) {
        std::string(error.what()) + " Cut the solid, or sweep it in another direction.",
        error.entities()});
   return verdict;
+}
+
+std::string division_warning(const Model& model, const Scheme& scheme) {
+  std::string faces;
+  for (const FaceId f : model.faces())
+    if (scheme.face_role[f.index] == FaceRole::divided)
+      faces += (faces.empty() ? "" : ", ") + name_of(f);
+  return "The sweep turns in the middle of rounded edges: " + faces +
+         (faces.empty() ? "faces are" : " are") +
+         " divided there, partly source or target and partly linking.";
 }
 
 /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
@@ -234,6 +276,32 @@ bool mesh_first_possible(const Model& model, const SweepOptions& options, StageC
   return false;
 }
 
+/// Meshes the solid divided along its rounds, where that can be swept. False: the assessment stays
+/// that of the whole solid.
+bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& options,
+                  StageClock& clock, Context& context, SweepResult& result) {
+  if (!may_be_divided(result.assessment)) return false;
+  auto divided =
+      clock.run("assess", [&] { return divide_to_sweep(model, picks, options, context); });
+  if (!divided) return false;
+  const DividedModel& parts = divided->parts;
+  SweepResult part;
+  part.assessment = divided->assessment;
+  part.size = result.size;
+  try {
+    if (!mesh_first_possible(parts.model, divided->options, clock, context, part)) return false;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    return false;
+  }
+  result.assessment = of_whole(model, parts, part.assessment);
+  result.intervals = of_whole(model, parts, part.intervals);
+  result.mesh = of_whole(parts, std::move(part.mesh));
+  result.warnings.push_back(division_warning(model, result.assessment.schemes.front()));
+  return true;
+}
+
 }  // namespace
 
 double default_size(const Model& model) {
@@ -252,8 +320,10 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.0, "Looking for sources and targets");
   result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
-  if (!result.assessment.is_sweepable()) return result;
-  if (!mesh_first_possible(model, options, clock, context, result)) return result;
+  const bool is_meshed = result.assessment.is_sweepable()
+                             ? mesh_first_possible(model, options, clock, context, result)
+                             : mesh_divided(model, picks, options, clock, context, result);
+  if (!is_meshed) return result;
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });

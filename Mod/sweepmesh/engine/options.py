@@ -1,7 +1,7 @@
 """What a run can be told. Every default is the one of the C++ core."""
 
 import dataclasses
-from typing import List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from sweepmesh.engine import _sweepmesh
 from sweepmesh.engine.errors import input_error
@@ -36,6 +36,18 @@ class Options:
     """{("Face3", "Vertex7"): "corner"} or [("Face3", "Vertex7", "corner")], names or numbers: how many quads meet
     at that vertex of that linking face: "end" 1, "side" 2, "corner" 3, "reversal" 4. Others are found."""
 
+    edge_count: Dict[int, int] = dataclasses.field(default_factory=dict)
+    """{5: 12}: exactly 12 mesh edges on Edge5."""
+    edge_size: Dict[int, float] = dataclasses.field(default_factory=dict)
+    """{5: 0.8}: wished edge length on Edge5, instead of `size`."""
+    edge_bias: Dict[int, Tuple[float, bool]] = dataclasses.field(default_factory=dict)
+    """{5: (1.2, False)}: on Edge5 each mesh edge is 1.2 times as long as the one before, from the edge's start to its
+    end; (1.2, True): from both ends to the middle. Edges without are divided evenly."""
+    sweep_bias: Optional[Tuple[float, bool]] = None
+    """The same for all edges along the sweep that have none of their own, from the lower to the higher layer."""
+    imprint_tolerance: Optional[float] = None
+    """Curves of different caps nearer than this length are brought together. None: from the size."""
+
     solid: Optional[int] = None
     """The solid to mesh, from 1, in a shape of several. None: all of them."""
 
@@ -48,7 +60,19 @@ class Options:
         core.order = self.order
         if self.max_elements is not None:
             core.max_elements = self.max_elements
+        self._add_edges_to(core)
+        if self.sweep_bias is not None:
+            core.sweep_bias = _sweepmesh.Bias(*self.sweep_bias)
+        core.imprint_tolerance = self.imprint_tolerance
         return core
+
+    def _add_edges_to(self, core):
+        for edge, count in self.edge_count.items():
+            core.set_edge_count(edge - 1, count)
+        for edge, size in self.edge_size.items():
+            core.set_edge_size(edge - 1, size)
+        for edge, bias in self.edge_bias.items():
+            core.set_edge_bias(edge - 1, _sweepmesh.Bias(*bias))
 
     def type_triples(self):
         """`vertex_types` as a list of (face number, vertex number, name of the type), whatever form it has."""
