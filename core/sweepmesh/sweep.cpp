@@ -56,6 +56,9 @@ void check_options(const SweepOptions& options) {
     refuse("The element size must be a positive number.");
   if (options.layers && *options.layers < 1) refuse("The number of layers must be at least 1.");
   if (options.order != 1 && options.order != 2) refuse("The element order must be 1 or 2.");
+  if (options.imprint_tolerance &&
+      !(std::isfinite(*options.imprint_tolerance) && *options.imprint_tolerance >= 0))
+    refuse("The imprint tolerance must be a number that is not negative.");
   if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
   if (options.element == ElementKind::polyhedron)
     refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
@@ -69,12 +72,39 @@ void check_picks(const Picks& picks) {
     if (source == target) refuse(name_of(source) + " is paired with itself.", {name_of(source)});
 }
 
-IntervalOptions interval_options(const SweepOptions& options, double size) {
+namespace {
+
+/// What is said of edges of this solid; edges of other solids are left to those.
+template <class Wish>
+std::map<EdgeId, Wish> on_own_edges(const Model& model, const std::map<EdgeId, Wish>& wishes) {
+  const auto& edges = model.edges();
+  std::map<EdgeId, Wish> own;
+  for (const auto& [edge, wish] : wishes) {
+    if (edge.index < 0 || edge.index >= model.n_edges())
+      refuse("The shape has no " + name_of(edge) + ".", {name_of(edge)});
+    if (std::binary_search(edges.begin(), edges.end(), edge)) own.emplace(edge, wish);
+  }
+  return own;
+}
+
+}  // namespace
+
+IntervalOptions interval_options(const Model& model, const SweepOptions& options, double size) {
   IntervalOptions out;
   out.size = size;
   out.layers = options.layers;
+  out.edge_size = on_own_edges(model, options.edge_size);
+  out.edge_count = on_own_edges(model, options.edge_count);
+  out.edge_bias = on_own_edges(model, options.edge_bias);
+  out.sweep_bias = options.sweep_bias;
   out.quad_caps = options.element == ElementKind::hex;
   return out;
+}
+
+std::vector<double> merge_fractions(const SweepOptions& options, double size) {
+  if (options.imprint_tolerance) return {std::min(1.0, *options.imprint_tolerance / size)};
+  const double usual = ImprintOptions{}.merge_fraction;
+  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual};
 }
 
 namespace {
@@ -88,7 +118,7 @@ std::string in_millions(double count) {
 }  // namespace
 
 void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
-  IntervalOptions intervals = interval_options(options, size);
+  const IntervalOptions intervals = interval_options(model, options, size);
   double expected = expected_elements(model, intervals);
   if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
   if (expected <= static_cast<double>(options.max_elements)) return;
@@ -135,18 +165,18 @@ BoundaryMesh boundary_with_merging(const Model& model, const Scheme& scheme, dou
   });
 }
 
-/// Near curves are brought together within the usual distance, or, where curves then get into each
+/// Near curves are brought together within the first distance, or, where curves then get into each
 /// other's way or cells have no room on a cap, within another one. If none will do, the first error
 /// counts.
 BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
-                              const IntervalOptions& options, CellKind kind, StageClock& clock,
+                              const IntervalOptions& options, CellKind kind,
+                              const std::vector<double>& fractions, StageClock& clock,
                               Context& context, SweepResult& result) {
-  const double usual = ImprintOptions{}.merge_fraction;
   std::exception_ptr first;
-  for (const double fraction : {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual}) try {
+  for (const double fraction : fractions) try {
       BoundaryMesh boundary =
           boundary_with_merging(model, scheme, fraction, options, kind, clock, context, result);
-      if (fraction != usual)
+      if (fraction != fractions.front())
         result.warnings.push_back(
             "Curves of different caps are brought together where they are nearer than " +
             std::to_string(std::lround(100 * fraction)) + " % of the element size.");
@@ -171,12 +201,13 @@ VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
 /// Meshes one scheme into result.mesh and result.intervals; throws the stages' errors.
 void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                  StageClock& clock, Context& context, SweepResult& result) {
-  const IntervalOptions intervals = interval_options(options, result.size);
+  const IntervalOptions intervals = interval_options(model, options, result.size);
   const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
   const BoundaryMesh boundary =
       is_one_to_one(scheme)
           ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
-          : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
+          : boundary_of_many(model, scheme, intervals, kind, merge_fractions(options, result.size),
+                             clock, context, result);
   context.report(0.6, "Placing interior nodes");
   result.mesh = clock.run("place", [&] {
     VolumeMesh mesh = fill(boundary, context);

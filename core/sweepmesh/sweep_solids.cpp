@@ -96,6 +96,8 @@ Picks picks_on(const Model& model, const Picks& picks) {
   keep(picks.targets, own.targets);
   for (const auto& pair : picks.pairs)
     if (has_face(model, pair.first) && has_face(model, pair.second)) own.pairs.push_back(pair);
+  for (const TypePick& pick : picks.types)
+    if (has_face(model, pick.face)) own.types.push_back(pick);
   return own;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "sweepmesh/base/errors.h"
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/surface/cap_map.h"
 
@@ -129,6 +130,8 @@ bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
                                    const Context& context) {
+  if (loops.empty())
+    throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
   PlanarMesh mesh;
   std::vector<Point2> images;
   std::vector<std::vector<int>> boundary;

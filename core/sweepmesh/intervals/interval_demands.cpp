@@ -56,8 +56,8 @@ class Builder {
     const auto wishes = wished_counts(model_, options_);
     for (const EdgeId e : model_.edges()) {
       const bool is_closed = model_.start(e) == model_.end(e);
-      out_.edge[e.index] =
-          out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wishes[e.index], wishes[e.index]});
+      const double wish = wishes[e.index], weight = wish * importance(options_, e);
+      out_.edge[e.index] = out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wish, weight});
     }
     for (const VertexId v : model_.vertices())
       out_.vertex[v.index] = out_.problem.add({-unbounded, unbounded, std::nullopt, 0.0});
