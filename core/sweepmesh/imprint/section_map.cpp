@@ -129,7 +129,7 @@ bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
 
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
-                                   const Context& context) {
+                                   Carrying carrying, const Context& context) {
   if (loops.empty())
     throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
   PlanarMesh mesh;
@@ -147,11 +147,13 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   mesh.n_boundary = mesh.n_nodes();
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());
   add_grid(loops, spacing, mesh.points);
-  const auto triangles = constrained_delaunay(mesh.points, boundary);
-  for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
-    mesh.add_cell(t);
+  auto triangles = constrained_delaunay(mesh.points, boundary);
   MapOptions options;
-  options.poor = -1.0;  // where points go matters, not the shape of triangles between them
+  if (carrying == Carrying::smooth) {
+    options.poor = -1.0;
+    triangles = with_chords_split(triangles, mesh.n_boundary, mesh.points);
+  }
+  for (const Triangle& t : triangles) mesh.add_cell(t);
   const std::vector<Point2> all = map_planar(mesh, images, options, context).points;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
 }
