@@ -9,11 +9,6 @@ namespace py = pybind11;
 namespace sweepmesh {
 
 void bind_plan(py::module_& module) {
-  py::enum_<VertexType>(module, "VertexType")
-      .value("end", VertexType::end)
-      .value("side", VertexType::side)
-      .value("corner", VertexType::corner)
-      .value("reversal", VertexType::reversal);
   py::enum_<EdgeRole>(module, "EdgeRole")
       .value("none", EdgeRole::none)
       .value("transverse", EdgeRole::transverse)

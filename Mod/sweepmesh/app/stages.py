@@ -10,6 +10,8 @@ Each takes a document object or a Part shape, and settings by keyword:
     targets       faces on which it ends; none given: found
     solid         which solid of several is meshed, from 1; none given: all, side by side
     pairs         [(source, target), ...]: this source is to be swept to this target
+    vertex_types  {("Face3", "Vertex7"): "corner", ...}: "end", "side", "corner" or "reversal" at a vertex of a
+                  linking face, names or numbers; others are found
     edge_count    {"Edge5": 12}: exactly 12 mesh edges on this edge; others follow where they must
     edge_size     {"Edge5": 0.8}: wished edge length on this edge
     edge_bias     {"Edge5": 1.2}: each mesh edge is 1.2 times as long as the one before, from the edge's start;

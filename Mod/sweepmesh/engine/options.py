@@ -1,10 +1,11 @@
 """What a run can be told. Every default is the one of the C++ core."""
 
 import dataclasses
-from typing import Dict, List, Optional, Tuple
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from sweepmesh.engine import _sweepmesh
 from sweepmesh.engine.errors import input_error
+from sweepmesh.engine.names import face_number, vertex_number
 
 _DEFAULTS = _sweepmesh.SweepOptions()
 
@@ -31,6 +32,9 @@ class Options:
     """Target faces. Empty: found automatically."""
     pairs: List[Tuple[int, int]] = dataclasses.field(default_factory=list)
     """(source, target): this source is to be swept to this target."""
+    vertex_types: Union[Mapping[Tuple, str], Sequence[Tuple]] = dataclasses.field(default_factory=dict)
+    """{("Face3", "Vertex7"): "corner"} or [("Face3", "Vertex7", "corner")], names or numbers: how many quads meet
+    at that vertex of that linking face: "end" 1, "side" 2, "corner" 3, "reversal" 4. Others are found."""
 
     edge_count: Dict[int, int] = dataclasses.field(default_factory=dict)
     """{5: 12}: exactly 12 mesh edges on Edge5."""
@@ -70,9 +74,22 @@ class Options:
         for edge, bias in self.edge_bias.items():
             core.set_edge_bias(edge - 1, _sweepmesh.Bias(*bias))
 
-    def picks(self, n_faces):
-        """The C++ module's Picks; InputError for a face that a shape of `n_faces` faces does not have."""
+    def type_triples(self):
+        """`vertex_types` as a list of (face number, vertex number, name of the type), whatever form it has."""
+        types = self.vertex_types
+        try:
+            items = [(*key, name) for key, name in types.items()] if isinstance(types, Mapping) else types
+            triples = [(face, vertex, name) for face, vertex, name in items]
+        except (TypeError, ValueError):
+            raise input_error('Vertex types are given as {("Face3", "Vertex7"): "corner"}.') from None
+        return [(face_number(face), vertex_number(vertex), _vertex_type(name).name) for face, vertex, name in triples]
+
+    def picks(self, model):
+        """The C++ module's Picks; InputError for a face or vertex that the Model does not have."""
+        n_faces = model.n_faces
+        triples = self.type_triples()
         chosen = [*self.sources, *self.targets, *(face for pair in self.pairs for face in pair)]
+        chosen += [face for face, _, _ in triples]
         unknown = [face for face in chosen if not 1 <= face <= n_faces]
         if unknown:
             raise input_error(
@@ -84,6 +101,7 @@ class Options:
             sources=[face - 1 for face in self.sources],
             targets=[face - 1 for face in self.targets],
             pairs=[(source - 1, target - 1) for source, target in self.pairs],
+            types=[(face - 1, vertex - 1, _vertex_type(name)) for face, vertex, name in triples],
         )
 
 
@@ -92,3 +110,10 @@ def _element_kind(name):
     if name not in kinds:
         raise input_error(f"There is no element kind '{name}': use one of {', '.join(kinds)}.", "read")
     return kinds[name]
+
+
+def _vertex_type(name):
+    kinds = _sweepmesh.VertexType.__members__
+    if str(name).lower() not in kinds:
+        raise input_error(f"There is no vertex type '{name}': use one of {', '.join(kinds)}.", "read")
+    return kinds[str(name).lower()]

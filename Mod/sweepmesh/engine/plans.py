@@ -64,7 +64,7 @@ def plan(shape, options=None, progress=None):
 
 def _plans_of(solids, options, context):
     core = options.to_core()
-    picks = [options.picks(solid.n_faces) if len(solids) == 1 else _picks_on(solid, options) for solid in solids]
+    picks = [options.picks(solid) if len(solids) == 1 else _picks_on(solid, options) for solid in solids]
     return [SweepPlan.from_core(_sweepmesh.plan(s, p, core, context)) for s, p in zip(solids, picks)]
 
 
@@ -76,8 +76,9 @@ def _picks_on(solid, options):
         sources=[face for face in options.sources if face in own],
         targets=[face for face in options.targets if face in own],
         pairs=[pair for pair in options.pairs if set(pair) <= own],
+        vertex_types=[triple for triple in options.type_triples() if triple[0] in own],
     )
-    return mine.picks(solid.n_faces)
+    return mine.picks(solid)
 
 
 def _merged(plans):

@@ -1,6 +1,7 @@
-// Linking faces as panels: pieces with one curve below and one above.
+// Linking faces as panels: strips of columns, with a curve wherever one of their sides has a level.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "sweepmesh/imprint/imprint.h"
@@ -11,27 +12,26 @@
 
 namespace sweepmesh {
 
-/// `bottom[i]` and `top[i]` are the ends of one column, seen along the sweep; the solid is on the
-/// left of both lines.
+/// A strip of a linking face, from an edge below to an edge above. Point i of every line is where
+/// one and the same column passes, seen along the sweep; the solid is on the left of the lines.
 struct Panel {
   FaceId face;
-  int low, high;  ///< levels
-  Polyline bottom, top;
+  int low, high;               ///< levels
+  std::vector<double> share;   ///< of the height, ascending from 0 to 1
+  std::vector<Polyline> line;  ///< by share
 
   /// The curve between, at `share` of the height.
-  Polyline at(double share) const {
-    Polyline out = bottom;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] += share * (top[i] - bottom[i]);
-    return out;
-  }
+  Polyline at(double share) const;
 };
 
-/// Of all linking faces; `curve` are the edges' curves as seen along the sweep. A face whose lower
+/// Heights of the levels along the sweep.
+using LevelHeights = std::map<int, double>;
+
+/// Of all linking faces; `seen` are the edges' curves as seen along the sweep. A face whose lower
 /// and upper edges lie over each other may have any profile; it is cut where its edges begin and
-/// end. Another face must have one chain of edges below and one above: columns join the places
-/// where the same part of both lengths has passed. Throws ImprintError (unreachable) naming a face
-/// that is neither.
+/// end. Other faces: leaning_face.h. Throws ImprintError (unreachable) naming a face that is
+/// neither.
 std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
-                               const Reference& seen);
+                               const Reference& seen, const LevelHeights& height);
 
 }  // namespace sweepmesh

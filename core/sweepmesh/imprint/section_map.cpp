@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweepmesh/base/errors.h"
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/surface/cap_map.h"
 
@@ -83,6 +84,8 @@ bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
                                    const Context& context) {
+  if (loops.empty())
+    throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
   PlanarMesh mesh;
   std::vector<Point2> images;
   std::vector<std::vector<int>> boundary;

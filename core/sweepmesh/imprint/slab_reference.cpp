@@ -12,6 +12,22 @@
 namespace sweepmesh {
 namespace {
 
+/// Mean height of every level; levels are numbered without gaps.
+LevelHeights level_heights(const Model& model, const Walls& walls, const Point3& direction) {
+  std::map<int, std::pair<double, int>> sums;
+  for (const EdgeId e : walls.edges) {
+    auto& [sum, n] = sums[walls.level[e.index]];
+    sum += direction.dot(model.point(model.start(e)));
+    ++n;
+  }
+  LevelHeights out;
+  for (const auto& [level, sum] : sums) out[level] = sum.first / sum.second;
+  for (std::size_t i = 0; i < walls.vertex_level.size(); ++i)
+    if (const int l = walls.vertex_level[i]; l >= 0 && !out.contains(l))
+      out[l] = direction.dot(model.point(VertexId{static_cast<int>(i)}));
+  return out;
+}
+
 class SlabWalker {
  public:
   SlabWalker(const Model& model, const Scheme& scheme, const Walls& walls, const Point3& direction,
@@ -22,12 +38,12 @@ class SlabWalker {
         seen_(seen),
         size_(size),
         context_(context),
-        panels_(find_panels(model, scheme, walls, seen)),
+        height_(level_heights(model, walls, direction)),
+        panels_(find_panels(model, scheme, walls, seen, height_)),
         in_r_(panels_.size()),
         out_(seen) {}
 
   Reference run() {
-    find_heights();
     const int n = static_cast<int>(height_.size());
     base_ = base_level();
     for (std::size_t p = 0; p < panels_.size(); ++p)
@@ -46,20 +62,6 @@ class SlabWalker {
   }
 
  private:
-  /// Mean height of every level; levels are numbered without gaps.
-  void find_heights() {
-    std::map<int, std::pair<double, int>> sums;
-    for (const EdgeId e : walls_.edges) {
-      auto& [sum, n] = sums[walls_.level[e.index]];
-      sum += direction_.dot(model_.point(model_.start(e)));
-      ++n;
-    }
-    for (const auto& [level, sum] : sums) height_[level] = sum.first / sum.second;
-    for (std::size_t i = 0; i < walls_.vertex_level.size(); ++i)
-      if (const int l = walls_.vertex_level[i]; l >= 0 && !height_.contains(l))
-        height_[l] = direction_.dot(model_.point(VertexId{i}));
-  }
-
   Polyline seen_at(const Panel& p, int level) const { return seen_at_height(p, height_.at(level)); }
 
   Polyline seen_at_height(const Panel& p, double height) const {
@@ -131,11 +133,15 @@ class SlabWalker {
     const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
     const FaceId ending = (upwards ? walls_.below : walls_.above)[c.edge.index];
     if (!f.is_valid() || is_upright_[f.index] || ending.is_valid()) return;
-    for (const Panel& p : panels_) {
-      if (p.face != f || (upwards ? p.low : p.high) != level) continue;
-      const Polyline line = seen_at(p, level), half = p.at(0.5);
-      for (Point2& x : c.points) x = at_position(half, nearest(line, x).position).point;
-      return;
+    std::vector<const Panel*> panels;
+    for (const Panel& p : panels_)
+      if (p.face == f && (upwards ? p.low : p.high) == level) panels.push_back(&p);
+    if (panels.empty()) return;
+    for (Point2& x : c.points) {
+      const auto foot = [&](const Panel* p) { return nearest(seen_at(*p, level), x); };
+      const Panel* p = *std::ranges::min_element(
+          panels, {}, [&](const Panel* panel) { return foot(panel).distance; });
+      x = at_position(p->at(0.5), foot(p).position).point;
     }
   }
 
@@ -265,15 +271,14 @@ class SlabWalker {
         const PolylinePoint foot = nearest(line, at_parameter(seen_.curves[c], t));
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
-    Polyline bottom, top;
     in_r_[p].clear();
-    for (const double at : positions) {
-      bottom.push_back(at_position(panel.bottom, at).point);
-      top.push_back(at_position(panel.top, at).point);
+    for (const double at : positions)
       in_r_[p].push_back(along_edges(curves, at_position(line, at).point));
+    for (Polyline& l : panel.line) {
+      Polyline fine;
+      for (const double at : positions) fine.push_back(at_position(l, at).point);
+      l = std::move(fine);
     }
-    panel.bottom = std::move(bottom);
-    panel.top = std::move(top);
   }
 
   /// R at a place that lies on one of the curves as they are seen.
@@ -309,12 +314,12 @@ class SlabWalker {
   const Reference& seen_;
   const double size_;
   const Context& context_;
+  const LevelHeights height_;
   std::vector<Panel> panels_;
   std::vector<Polyline> in_r_;    ///< by panel, once known
   std::vector<char> is_known_;    ///< by curve: it is in R
   std::vector<char> is_upright_;  ///< by FaceId
-  std::map<int, double> height_;
-  int base_ = 0;  ///< level at the lower end of the base slab
+  int base_ = 0;                  ///< level at the lower end of the base slab
   Reference out_;
 };
 

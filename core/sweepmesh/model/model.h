@@ -116,6 +116,7 @@ class Model {
   double dihedral(EdgeId, double fraction = 0.5) const;
 
   struct Impl;
+  const Impl& impl() const { return *impl_; }  ///< for model/ itself
 
  private:
   explicit Model(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}

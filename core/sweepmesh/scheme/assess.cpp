@@ -1,6 +1,8 @@
 #include "sweepmesh/scheme/assess.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "sweepmesh/base/errors.h"
@@ -10,6 +12,7 @@
 #include "sweepmesh/scheme/reasons.h"
 #include "sweepmesh/scheme/role_search.h"
 #include "sweepmesh/scheme/to_scheme.h"
+#include "sweepmesh/scheme/vertex_types.h"
 
 namespace sweepmesh {
 
@@ -27,6 +30,30 @@ int index_of(const SweepProblem& problem, FaceId id) {
   if (at == problem.faces.end())
     throw InputError("assess", name_of(id) + " is not a face of this solid.", {name_of(id)});
   return static_cast<int>(at - problem.faces.begin());
+}
+
+/// Throws where a vertex is given two types on one face, or a type on a face that is picked as a
+/// cap.
+void check_types(const Picks& picks) {
+  std::set<FaceId> caps(picks.sources.begin(), picks.sources.end());
+  caps.insert(picks.targets.begin(), picks.targets.end());
+  for (const auto& [source, target] : picks.pairs) caps.insert({source, target});
+  std::map<std::pair<FaceId, VertexId>, VertexType> seen;
+  for (const TypePick& pick : picks.types) {
+    const std::string face = name_of(pick.face), vertex = name_of(pick.vertex);
+    const VertexType other = seen.try_emplace({pick.face, pick.vertex}, pick.type).first->second;
+    if (other != pick.type)
+      throw InputError("assess",
+                       vertex + " of " + face + " is given as " + name_of(other) + " and as " +
+                           name_of(pick.type) + ".",
+                       {vertex, face});
+    if (caps.contains(pick.face))
+      throw InputError("assess",
+                       vertex + " is given a vertex type on " + face +
+                           ", which is picked as a source or target: only linking faces have "
+                           "vertex types.",
+                       {vertex, face});
+  }
 }
 
 std::vector<FixedCorner> fixed_corners(const SweepProblem& problem,
@@ -61,6 +88,16 @@ std::vector<Pick> all_picks(const Picks& picks) {
   return out;
 }
 
+/// The picked caps, and every face with a picked vertex type as a linking face.
+std::vector<Pick> with_types(std::vector<Pick> caps, const std::vector<TypePick>& types) {
+  for (const TypePick& pick : types) caps.emplace_back(pick.face, kLinkingStates);
+  return caps;
+}
+
+bool is_cap(const Pick& pick) {
+  return pick.second != kLinkingStates;
+}
+
 Choices start_of(const Network& network, const std::vector<Pick>& picks) {
   Choices out = open_choices(network);
   std::vector<int> touched;
@@ -74,7 +111,7 @@ Choices start_of(const Network& network, const std::vector<Pick>& picks) {
 SearchResult search(const Network& network, const std::vector<Pick>& picks, Context& context,
                     SearchOptions options = {}) {
   const Choices start = start_of(network, picks);
-  options.is_symmetric = picks.empty();
+  options.is_symmetric = std::ranges::none_of(picks, is_cap);
   SearchResult result;
   for (double limit : kCostLimits) {
     options.max_cost = limit;
@@ -180,27 +217,34 @@ class Assessor {
         picks_(picks),
         context_(context),
         problem_(sweep_problem(model, context)),
-        chosen_(all_picks(picks)) {}
+        chosen_(all_picks(picks)),
+        asked_(with_types(chosen_, picks.types)) {}
 
   Assessment assess() {
-    for (const auto& [id, states] : chosen_) index_of(problem_, id);
+    for (const auto& [id, states] : asked_) index_of(problem_, id);
+    check_types(picks_);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
     context_.report(0.2, "Looking for sources and targets.");
     const auto fixed = fixed_corners(problem_, picks_.types);
     const Network strict = make_network(problem_, strict_limits(), fixed);
-    if (auto found = try_with(strict, chosen_)) {
+    if (auto found = try_with(strict, asked_)) {
       if (chosen_.empty()) add_prismatic(*found, fixed);
       return *found;
     }
     if (opposed_) return {{}, {*opposed_}};
+    if (auto found = try_with(make_network(problem_, tangent_limits(), fixed), asked_))
+      return *found;
     context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
     if (!chosen_.empty() || !fixed.empty())
-      if (auto found = try_with(lenient, chosen_)) return *found;
+      if (auto found = try_with(lenient, asked_)) return *found;
     if (auto refused = refuse_types()) return *refused;
     if (!chosen_.empty()) return refuse_picks(strict, lenient);
-    if (auto found = try_radial()) return *found;
+    if (auto found = try_radial()) {
+      if (picks_.types.empty()) return *found;
+      return {{}, {type_reason(picks_.types)}};
+    }
     return refuse(lenient);
   }
 
@@ -224,7 +268,11 @@ class Assessor {
          ranked(model_, lenient, prismatic_divisions(lenient, context_), chosen_)) {
       const bool is_known = std::ranges::any_of(
           found.schemes, [&](const Scheme& other) { return has_same_caps(scheme, other); });
-      if (!is_known && scheme.cost >= found.schemes.back().cost) found.schemes.push_back(scheme);
+      const bool is_asked = std::ranges::all_of(picks_.types, [&](const TypePick& pick) {
+        return scheme.face_role[pick.face.index] == FaceRole::linking;
+      });
+      if (!is_known && is_asked && scheme.cost >= found.schemes.back().cost)
+        found.schemes.push_back(scheme);
     }
   }
 
@@ -243,7 +291,7 @@ class Assessor {
   bool can_hold(const std::vector<TypePick>& types) {
     const Network network =
         make_network(problem_, lenient_limits(), fixed_corners(problem_, types));
-    return !search(network, chosen_, context_).divisions.empty();
+    return !search(network, with_types(chosen_, types), context_).divisions.empty();
   }
 
   /// Drops each type that is not needed for the contradiction. Empty where the types are not at
@@ -278,7 +326,8 @@ class Assessor {
   const Picks& picks_;
   Context& context_;
   SweepProblem problem_;
-  std::vector<Pick> chosen_;
+  std::vector<Pick> chosen_;         ///< caps
+  std::vector<Pick> asked_;          ///< and the faces with vertex types
   bool is_strict_complete_ = false;  ///< some search proved that there is nothing
   std::optional<Reason> opposed_;    ///< found within the strict limits, but for walls
 };
