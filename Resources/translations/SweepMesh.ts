@@ -24,11 +24,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Click on a linking face, then on its vertices.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Click on an edge near the end where its mesh edges are to be short.</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>Click on edges of the solid.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Click on vertices of {}, or on another face.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Corner (3)</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -45,6 +57,10 @@
     </message>
     <message>
       <source>Elements in each of 20 classes of quality, from -1 to 1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>End (1 quad)</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -69,6 +85,10 @@
     </message>
     <message>
       <source>Hexahedra</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How linking faces turn at vertices: Face3:Vertex7=corner</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -156,11 +176,19 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Reversal (4)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Scaled Jacobian: least {:.3f}, mean {:.3f}; {} inverted</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>Second</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Side (2 quads)</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -208,6 +236,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Vertex type</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>What each face is: source, target or linking</source>
       <translation type="unfinished" />
     </message>
@@ -244,6 +276,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>{1} of {0}: {2}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>{} layers, edge length {:.3g} mm</source>
       <translation type="unfinished" />
     </message>
@@ -276,6 +312,10 @@
     </message>
     <message>
       <source>From both ends</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How many quads of the linking face meet at the picked vertices</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -475,7 +515,7 @@
   <context>
     <name>SweepMeshSweep</name>
     <message>
-      <source>Both ends</source>
+      <source>Both</source>
       <translation type="unfinished" />
     </message>
     <message>

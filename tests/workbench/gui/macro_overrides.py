@@ -5,13 +5,15 @@ import sys
 sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
+import Part
 from driver import (
-    check, choose, click_edge, click_face, click_row, double_click_in_tree, go, is_panel_open, note,
-    panel_button, picture, press, reveal, rows, settle, show_all, tool_button, type_into, type_shortcut, wait_for, widget,
+    check, choose, click_edge, click_face, click_point, click_row, click_vertex, double_click_in_tree, go,
+    is_panel_open, note, panel_button, picture, press, reveal, rows, settle, show_all, tool_button, type_into,
+    type_shortcut, wait_for, widget,
 )
 from overlays import letters, tick_points
 
-COUNT, LENGTH, GROWTH = range(3)
+COUNT, LENGTH, GROWTH, TYPE = range(4)
 
 
 def steps():
@@ -27,6 +29,8 @@ def steps():
     undo_and_redo(document, mesh)
     edit_again(document, mesh, upright)
     contradiction(document, mesh)
+    FreeCAD.closeDocument(document.Name)
+    vertex_types()
 
 
 def new_document():
@@ -173,6 +177,10 @@ def meshing(document, brick, upright, front):
     return mesh
 
 
+def selected_names():
+    return [name for one in FreeCADGui.Selection.getSelectionEx() for name in one.SubElementNames]
+
+
 def n_on(mesh, brick, edge):
     """Number of nodes on an edge."""
     return len(mesh.FemMesh.getNodesByEdge(brick.Shape.getElement(edge)))
@@ -188,15 +196,18 @@ def undo_and_redo(document, mesh):
 
 
 def edit_again(document, mesh, upright):
-    mesh = document.SweepMesh
+    mesh, brick = document.SweepMesh, document.Brick
     before = mesh.Hexahedra
     double_click_in_tree(mesh.Label)
+    wait_for(lambda: rows("overrides"))
+    check("editing shows the solid", brick.ViewObject.Visibility and not mesh.ViewObject.Visibility)
     check("editing lists them again", wait_for(lambda: f"{upright}: 5 intervals" in rows("overrides")))
     check("and the growth along the sweep", widget("sweepRatio").value() == 1.2)
     click_row("overrides", rows("overrides").index(f"{upright}: 5 intervals"))
     type_into("overrideCount", "7")
     press(panel_button("OK"))
     wait_for(lambda: not is_panel_open(), 120)
+    check("and the mesh afterwards", mesh.ViewObject.Visibility and not brick.ViewObject.Visibility)
     check("an edited count is meshed", mesh.FemMesh.HexaCount == before // 5 * 7 and mesh.EdgeCounts == [f"{upright}=7"])
     FreeCADGui.runCommand("Std_Undo")
     check("undo brings the old one back", wait_for(lambda: mesh.FemMesh.HexaCount == before))
@@ -206,7 +217,6 @@ def edit_again(document, mesh, upright):
 def contradiction(document, mesh):
     mesh = document.SweepMesh
     brick = mesh.Shape
-    brick.ViewObject.Visibility = True
     FreeCADGui.ActiveDocument.setEdit(mesh.Name)
     wait_for(lambda: rows("overrides") and "can be swept" in widget("verdict").text())
     left = next(
@@ -227,6 +237,41 @@ def contradiction(document, mesh):
     press(panel_button("Cancel"))
     wait_for(lambda: not is_panel_open())
     settle(0.1)
+
+
+def vertex_types():
+    document = FreeCAD.newDocument("Stairs")
+    stairs = document.addObject("Part::Feature", "Stairs")
+    corners = [(0, 0, 0), (20, 0, 0), (20, 0, 6), (10, 0, 6), (10, 0, 14), (0, 0, 14), (0, 0, 0)]
+    stairs.Shape = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 8, 0))
+    document.recompute()
+    show_all()
+    front = next(f"Face{i}" for i, face in enumerate(stairs.Shape.Faces, 1) if face.normalAt(0, 0).y < -0.9)
+    inner = next(f"Vertex{i}" for i, v in enumerate(stairs.Shape.Vertexes, 1) if tuple(v.Point) == (10, 0, 6))
+    FreeCADGui.Selection.addSelection(stairs)
+    press(tool_button("Create sweep mesh"))
+    check("the front is a cap at first", wait_for(lambda: front in rows("sources") + rows("targets")))
+    choose("overrideKind", TYPE)
+    press(widget("pickOverride"))
+    choose("overrideType", 2)
+    click_vertex(stairs, inner)
+    check("a vertex alone is not admitted", rows("overrides") == [])
+    click_point((4, 0, 4))
+    check("a face shows that it is meant", wait_for(lambda: selected_names() == [front]))
+    click_vertex(stairs, inner)
+    check("a vertex of it gets the type", wait_for(lambda: rows("overrides") == [f"{inner} of {front}: corner"]))
+    check("and makes it a linking face", wait_for(lambda: rows("sources") and front not in rows("sources") + rows("targets")))
+    check("that turns there", wait_for(lambda: "C" in letters(stairs)))
+    picture("07_types")
+    click_vertex(stairs, inner)
+    check("a second click takes it back", wait_for(lambda: front in rows("sources") + rows("targets")))
+    check("out of the list, too", rows("overrides") == [])
+    click_vertex(stairs, inner)
+    wait_for(lambda: rows("overrides") and "can be swept" in widget("verdict").text())
+    type_into("meshSize", "2 mm")
+    press(panel_button("OK"))
+    check("the type is meshed", wait_for(lambda: not is_panel_open(), 120) and document.SweepMesh.isValid())
+    check("and kept", document.SweepMesh.VertexTypes == [f"{front}:{inner}=corner"])
 
 
 go(steps)

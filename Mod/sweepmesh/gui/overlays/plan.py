@@ -20,7 +20,7 @@ _LEVEL_COLOURS = ((0.27, 0.0, 0.33), (0.13, 0.57, 0.55), (0.99, 0.91, 0.14))
 _LEVEL_WIDTH = 4
 _INSET = 0.04  # how far a letter stands from its vertex, as part of the shape's diagonal
 _DEPTH = 0.99  # of the depth buffer's range: less than 1 brings the drawing before the faces that it lies on
-_TEXT_DEPTH = 0.93  # texts reach farther over the faces beside them
+_NUMBER_DEPTH = 0.93  # numbers on edges reach farther over the faces beside them
 _FONT_SIZE = 15
 _TICK = coin.SoMarkerSet.CIRCLE_FILLED_7_7
 
@@ -46,11 +46,14 @@ class PlanOverlay:
             self._top.addChild(node)
         self._root.addChild(self._top)
 
-    def show_types(self, corners):
-        """Draw the letters of [("Face3", "Vertex7", "end"), ...]; none clear them."""
+    def show_types(self, corners, emphasized):
+        """Draw the letters of [("Face3", "Vertex7", "end"), ...]; none clear them. `emphasized`: ("Face3", "Vertex7")."""
         self._types.removeAllChildren()
-        for kind, colour in TYPE_COLOURS.items():
-            texts = [(self._beside(*of), LETTERS[kind]) for *of, its in corners if its == kind]
+        groups = {}
+        for face, vertex, kind in corners:
+            colour = EDGE_COLOURS["own"] if (face, vertex) in emphasized else TYPE_COLOURS[kind]
+            groups.setdefault(colour, []).append((self._beside(face, vertex), LETTERS[kind]))
+        for colour, texts in groups.items():
             self._types.addChild(_in_colour(colour, [], texts))
 
     def show_intervals(self, edge_nodes, roles, emphasized):
@@ -163,9 +166,9 @@ def _in_colour(colour, ticks, texts):
         group.addChild(coordinates)
         group.addChild(markers)
     here = coin.SbVec3f(0, 0, 0)
-    if texts:
+    if ticks and texts:
         depth = coin.SoDepthBuffer()
-        depth.range = (0.0, _TEXT_DEPTH)
+        depth.range = (0.0, _NUMBER_DEPTH)
         group.addChild(depth)
     for point, string in texts:
         way, text = coin.SoTranslation(), coin.SoText2()

@@ -52,8 +52,8 @@ class Picking(QtCore.QObject):
         if taker is None:
             self.clicked.emit(sub)
         else:
-            taker(sub, point)
             QtCore.QTimer.singleShot(0, FreeCADGui.Selection.clearSelection)
+            taker(sub, point)
 
     def removeSelection(self, document, obj, sub):
         """FreeCAD calls this when something is selected no more."""

@@ -14,7 +14,7 @@ class Previews(QtCore.QObject):
     """Roles of faces, vertex types, intervals and levels, each with its own switch in the form.
 
     `task` returns (brep, options) as the form has them now, or raises the engine's InputError; `emphasized`
-    the names of the edges for which something is prescribed. Plans are made off the GUI's thread; what cannot
+    the names of the edges, and (face, vertex), for which something is prescribed. Plans are made off the GUI's thread; what cannot
     be planned is not drawn. `planned` tells of a plan, `failed` of the engine's error where there is none.
     """
 
@@ -100,7 +100,7 @@ class Previews(QtCore.QObject):
 
     def _draw_plan(self, *_):
         plan, form, overlay = self._plan, self._form, self._plan_overlay
-        overlay.show_types(plan.corners if plan and form.showTypes.isChecked() else [])
+        overlay.show_types(plan.corners if plan and form.showTypes.isChecked() else [], self._emphasized())
         if plan and form.showIntervals.isChecked():
             overlay.show_intervals(plan.edge_nodes, plan.edge_roles, self._emphasized())
         else:

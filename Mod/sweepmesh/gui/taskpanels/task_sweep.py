@@ -43,6 +43,7 @@ class SweepPanel:
         self._connect()
         self.load(faces)
         self._is_open = True
+        self._visible = self._show_solid()
         FreeCAD.addDocumentObserver(self)
 
     # --- settings -------------------------------------------------------------------------------------
@@ -63,7 +64,7 @@ class SweepPanel:
         ratio, is_symmetric = options.sweep_bias or (1.0, False)
         form.sweepRatio.setValue(ratio)
         form.sweepBoth.setChecked(is_symmetric)
-        self._overrides.set(options.size, {name: _named_edges(getattr(options, name)) for name in overrides.PROPERTIES})
+        self._overrides.set(options.size, _named(options))
         if stored:
             picks = _names(options.sources), _names(options.targets), [tuple(_names(pair)) for pair in options.pairs]
         else:
@@ -105,7 +106,8 @@ class SweepPanel:
         form.elementOrder.addItems([tr("First"), tr("Second")])
         self._faces.changed.connect(self.assess)
         self._overrides.changed.connect(self._previews.update)
-        self._overrides.started.connect(self._show_intervals)
+        self._overrides.types_changed.connect(self.assess)
+        self._overrides.started.connect(self._show_what_is_picked)
         self._picking.selected.connect(self._previews.uncover)
         self._previews.planned.connect(self._show_plan)
         self._previews.failed.connect(self._show_plan_error)
@@ -131,6 +133,7 @@ class SweepPanel:
     def assess(self):
         """Start to find out what the picks make of the solid."""
         self._faces.show_roles({})
+        self._overrides.set_caps([*self._faces.picks["source"], *self._faces.picks["target"]])
         self.widgets.verdict.setText(tr("Looking for sources and targets ..."))
         try:
             brep, options = self._task()
@@ -169,8 +172,9 @@ class SweepPanel:
         self.widgets.verdict.setText(tr("The solid can be swept, but not with these settings:"))
         self._show_reasons([(str(error), list(getattr(error, "entities", ())))])
 
-    def _show_intervals(self):
-        self.widgets.showIntervals.setChecked(True)
+    def _show_what_is_picked(self, setting):
+        switch = self.widgets.showTypes if setting == "vertex_types" else self.widgets.showIntervals
+        switch.setChecked(True)
 
     def _show_error(self, error):
         self._schemes = []
@@ -241,6 +245,8 @@ class SweepPanel:
             return
         remember(brep, options, result)
         title, lines = self._lines()
+        self._restore_visibility()
+        self._visible = []
         recorder.run(self._shape.Document, title, lines)
         self._close()
 
@@ -262,12 +268,26 @@ class SweepPanel:
             lines.append(f"{shape}.Visibility = False")
         return tr("Create sweep mesh"), lines
 
+    def _show_solid(self):
+        """Show the solid, and hide the mesh that is edited. Return what was visible before."""
+        objects = [self._shape, self._mesh] if self._mesh else [self._shape]
+        before = [(obj, obj.ViewObject.Visibility) for obj in objects]
+        for obj in objects:
+            obj.ViewObject.Visibility = obj == self._shape
+        return before
+
+    def _restore_visibility(self):
+        for obj, was_visible in self._visible:
+            if _is_alive(obj):
+                obj.ViewObject.Visibility = was_visible
+
     # --- the end --------------------------------------------------------------------------------------
 
     def _close(self):
         """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
         self._is_open = False
         FreeCAD.removeDocumentObserver(self)
+        self._restore_visibility()
         self._assessor.close()
         self._mesher.close(wait=STOP_SECONDS)
         self._picking.close()
@@ -304,12 +324,20 @@ def _leave_edit_and_close(document_name):
     FreeCADGui.Control.closeDialog()
 
 
+def _is_alive(obj):
+    try:
+        return obj.Document is not None and obj.ViewObject is not None
+    except ReferenceError:
+        return False
+
+
 def _names(numbers):
     return [f"Face{number}" for number in numbers]
 
 
-def _named_edges(values):
-    return {f"Edge{number}": value for number, value in values.items()}
+def _named(options):
+    """The overrides in `options`, edges, faces and vertices by their names."""
+    return {name: overrides.by_name(name, getattr(options, name)) for name in overrides.PROPERTIES}
 
 
 def _split(faces):
@@ -325,6 +353,5 @@ def _scheme_text(scheme):
 def _changes(options, settings):
     """Return the settings that differ from `options`."""
     faces = {"sources": _names(options.sources), "targets": _names(options.targets)}
-    edges = {name: _named_edges(getattr(options, name)) for name in overrides.PROPERTIES}
-    old = {**vars(options), **faces, **edges, "pairs": [tuple(_names(pair)) for pair in options.pairs]}
+    old = {**vars(options), **faces, **_named(options), "pairs": [tuple(_names(pair)) for pair in options.pairs]}
     return {name: value for name, value in settings.items() if value != old[name]}
