@@ -11,6 +11,7 @@ from driver import (
     check, go, is_panel_open, note, panel_button, picture, press, rows, settle, show_all, tool_button, type_into,
     wait_for, widget,
 )
+from overlays import face_colours, letters, line_lengths, nodes, tick_points
 from pivy import coin
 
 
@@ -21,8 +22,8 @@ def steps():
     step.Shape = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 8, 0))
     document.recompute()
     show_all()
+    untouched = len(nodes(step, coin.SoNode))
     FreeCADGui.Selection.addSelection(step, facing(step, up=True) + facing(step, up=False))
-    settle(0.6)
     press(tool_button("Create sweep mesh"))
     check("the picks can be swept", wait_for(lambda: "can be swept" in widget("verdict").text()))
     check("two sources, one target", (len(rows("sources")), len(rows("targets"))) == (2, 1))
@@ -33,7 +34,7 @@ def steps():
     press(panel_button("Cancel"))
     wait_for(lambda: not is_panel_open())
     settle()
-    check("the panel takes its drawings away", letters(step) == [] and annotations(step) == 0)
+    check("the panel takes its drawings away", len(nodes(step, coin.SoNode)) == untouched)
     two_hundred_faces(document)
 
 
@@ -43,26 +44,14 @@ def facing(obj, up):
     return tuple(f"Face{i}" for i, face in enumerate(obj.Shape.Faces, 1) if face.normalAt(0.5, 0.5).z * side > 0.9)
 
 
-def found(obj, kind):
-    search = coin.SoSearchAction()
-    search.setType(kind.getClassTypeId())
-    search.setInterest(coin.SoSearchAction.ALL)
-    search.setSearchingAll(True)
-    search.apply(obj.ViewObject.RootNode)
-    paths = search.getPaths()
-    return [paths[i].getTail() for i in range(paths.getLength())]
-
-
-def letters(obj):
-    return sorted(node.string[0].getString().strip() for node in found(obj, coin.SoText2))
-
-
-def annotations(obj):
-    return len(found(obj, coin.SoAnnotation))
-
-
 def n_ticks(obj):
-    return sum(node.point.getNum() for node in found(obj, coin.SoCoordinate3))
+    return len(tick_points(obj))
+
+
+def n_pairs(obj, roles):
+    """How many faces are drawn in each colour that is no role's."""
+    others = [colour for colour in face_colours(obj) if colour not in roles]
+    return sorted(others.count(colour) for colour in set(others))
 
 
 def redraw():
@@ -82,6 +71,24 @@ def switches(step):
     press(widget("showIntervals"))
     check("intervals are drawn", wait_for(lambda: len(letters(step)) == len(step.Shape.Edges), 5))
     picture("03_intervals")
+    press(widget("showIntervals"))
+    check("and taken away, too", wait_for(lambda: letters(step) == [], 5))
+    roles = face_colours(step)
+    press(widget("showLevels"))
+    check("levels colour the caps", wait_for(lambda: len(set(face_colours(step)) - set(roles)) == 3, 5))
+    picture("06_levels")
+    press(widget("showLevels"))
+    check("roles come back", wait_for(lambda: face_colours(step) == roles, 5))
+    press(widget("showCurves"))
+    check("the imprinted curve is drawn", wait_for(lambda: line_lengths(step) == [8.0], 20))
+    press(widget("showPairs"))
+    check("paired patches have one colour", wait_for(lambda: n_pairs(step, roles) == [2, 2], 20))
+    check("as many pairs are told", "2" in widget("planSummary").text())
+    picture("07_pairs")
+    press(widget("showCurves"))
+    press(widget("showPairs"))
+    check("they go, too", wait_for(lambda: face_colours(step) == roles and line_lengths(step) == [], 5))
+    press(widget("showIntervals"))
 
 
 def settings(step):

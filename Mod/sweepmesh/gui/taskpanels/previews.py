@@ -2,6 +2,7 @@
 from PySide import QtCore
 
 from sweepmesh import engine
+from sweepmesh.gui.overlays.imprint import Drawing, ImprintOverlay
 from sweepmesh.gui.overlays.plan import PlanOverlay, level_colour
 from sweepmesh.gui.overlays.roles import COLOURS, FaceOverlay
 from sweepmesh.gui.resources import tr
@@ -11,7 +12,7 @@ _DELAY = 10  # ms after a change of a setting: changes that come together are on
 
 
 class Previews(QtCore.QObject):
-    """Roles of faces, vertex types, intervals and levels, each with its own switch in the form.
+    """Roles of faces, vertex types, intervals, levels and the imprint, each with its own switch in the form.
 
     `task` returns (brep, options) as the form has them now, or raises the engine's InputError; `emphasized`
     the names of the edges, and (face, vertex), for which something is prescribed. Plans are made off the GUI's thread; what cannot
@@ -24,11 +25,14 @@ class Previews(QtCore.QObject):
     def __init__(self, form, obj, task, emphasized):
         super().__init__()
         self._form, self._obj, self._task, self._emphasized = form, obj, task, emphasized
-        self._face_overlay, self._plan_overlay = FaceOverlay(obj), PlanOverlay(obj)
-        self._roles, self._plan = {}, None
+        self._make_overlays()
+        self._roles, self._plan, self._imprint = {}, None, None
         self._planner = Runner()
         self._planner.succeeded.connect(self._set_plan)
         self._planner.failed.connect(self._plan_failed)
+        self._imprinter = Runner()
+        self._imprinter.succeeded.connect(self._set_imprint)
+        self._imprinter.failed.connect(self._plan_failed)
         self._delay = QtCore.QTimer()
         self._delay.setSingleShot(True)
         self._delay.setInterval(_DELAY)
@@ -36,6 +40,8 @@ class Previews(QtCore.QObject):
         form.showRoles.toggled.connect(self._draw_faces)
         for switch in (form.showTypes, form.showIntervals, form.showLevels):
             switch.toggled.connect(self._draw_plan)
+        for switch in (form.showCurves, form.showPairs):
+            switch.toggled.connect(self._imprint_toggled)
 
     def set_roles(self, roles):
         """Show these roles ({} where there are none), and what follows from them."""
@@ -49,9 +55,9 @@ class Previews(QtCore.QObject):
 
     def rebuild(self):
         """The shape has changed: take the drawings away and start with none."""
-        self._face_overlay.remove()
-        self._plan_overlay.remove()
-        self._face_overlay, self._plan_overlay = FaceOverlay(self._obj), PlanOverlay(self._obj)
+        self._remove_overlays()
+        self._make_overlays()
+        self._imprint = None
 
     def update(self, *_):
         """Settings have changed: plan anew, soon."""
@@ -60,14 +66,25 @@ class Previews(QtCore.QObject):
     def close(self):
         self._delay.stop()
         self._planner.close()
-        self._face_overlay.remove()
-        self._plan_overlay.remove()
+        self._imprinter.close()
+        self._remove_overlays()
         self._task = self._emphasized = None
+
+    def _make_overlays(self):
+        self._face_overlay, self._plan_overlay = FaceOverlay(self._obj), PlanOverlay(self._obj)
+        self._imprint_overlay = ImprintOverlay(self._obj)
+
+    def _remove_overlays(self):
+        for overlay in (self._face_overlay, self._plan_overlay, self._imprint_overlay):
+            overlay.remove()
 
     def _make_plan(self):
         self._planner.close()
+        self._imprinter.close()
+        self._imprint = None  # drawn until there is a new one, but not to be drawn again
         if not self._roles:
             self._set_plan(None)
+            self._set_imprint(None)
             return
         try:
             brep, options = self._task()
@@ -75,6 +92,26 @@ class Previews(QtCore.QObject):
             self._plan_failed(error)
             return
         self._planner.start(lambda progress: engine.plan(brep, options, progress))
+        if self._is_imprint_wanted():
+            self._imprinter.start(lambda progress: Drawing(engine.imprint(brep, options, progress)))
+
+    def _is_imprint_wanted(self):
+        return self._form.showCurves.isChecked() or self._form.showPairs.isChecked()
+
+    def _imprint_toggled(self, *_):
+        if self._imprint is None and self._is_imprint_wanted():
+            self.update()
+        self._draw_imprint()
+
+    def _set_imprint(self, drawing):
+        self._imprint = drawing
+        self._draw_imprint()
+        self._form.planSummary.setText(_summary(self._plan, drawing))
+
+    def _draw_imprint(self):
+        drawing, form = self._imprint, self._form
+        self._imprint_overlay.show_pairs(drawing if form.showPairs.isChecked() else None)
+        self._imprint_overlay.show_curves(drawing if form.showCurves.isChecked() else None)
 
     def _draw_faces(self, *_):
         colours = {}
@@ -88,13 +125,14 @@ class Previews(QtCore.QObject):
 
     def _set_plan(self, plan):
         self._plan = plan if plan and plan.assessment.is_sweepable else None
-        self._form.planSummary.setText(_summary(self._plan))
+        self._form.planSummary.setText(_summary(self._plan, self._imprint))
         self._draw_plan()
         if self._plan:
             self.planned.emit(self._plan)
 
     def _plan_failed(self, error):
         self._set_plan(None)
+        self._set_imprint(None)
         if not isinstance(error, engine.Cancelled):
             self.failed.emit(error)
 
@@ -110,7 +148,8 @@ class Previews(QtCore.QObject):
         self._draw_faces()
 
 
-def _summary(plan):
+def _summary(plan, drawing):
     if plan is None:
         return ""
-    return tr("{} layers, edge length {:.3g} mm").format(plan.n_layers, plan.size)
+    text = tr("{} layers, edge length {:.3g} mm").format(plan.n_layers, plan.size)
+    return text + (tr(", {} pairs of patches").format(drawing.n_pairs) if drawing else "")
