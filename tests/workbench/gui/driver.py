@@ -85,6 +85,14 @@ def show_all(direction="Axonometric"):
     settle()
 
 
+def look_from(*direction):
+    """Look at everything from a direction in space; z points up."""
+    back, up = FreeCAD.Vector(*direction), FreeCAD.Vector(0, 0, 1)
+    view().setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(), up, back, "ZYX").Q)
+    view().fitAll()
+    settle()
+
+
 def click_point(point, key=NO_KEY):
     """Click with the left button on a point of space, as it appears in the 3D view."""
     canvas = _canvas()

@@ -21,11 +21,11 @@ def letters(obj):
 
 
 def tick_points(obj):
-    """The points of all markers that are drawn."""
+    """The points of all ticks that are drawn."""
     points = []
     for group in nodes(obj, coin.SoSeparator):
         children = [group.getChild(i) for i in range(group.getNumChildren())]
-        if any(isinstance(child, coin.SoMarkerSet) for child in children):
+        if any(isinstance(child, coin.SoPointSet) for child in children):
             for child in children:
                 if isinstance(child, coin.SoCoordinate3):
                     points.extend(tuple(point.getValue()) for point in child.point.getValues())

@@ -11,18 +11,19 @@ TYPE_COLOURS = {
 }
 EDGE_COLOURS = {
     "axial": (0.0, 0.2, 0.8),
-    "transverse": (0.75, 0.3, 0.0),
+    "transverse": (0.5, 0.15, 0.0),
     "own": (0.8, 0.0, 0.5),
     None: (0.2, 0.2, 0.2),
 }
 _LEVEL_STOPS = (0.0, 0.5, 1.0)
 _LEVEL_COLOURS = ((0.27, 0.0, 0.33), (0.13, 0.57, 0.55), (0.99, 0.91, 0.14))
 _LEVEL_WIDTH = 4
+_LEVEL_TEXT = (1.0, 1.0, 1.0)
 _INSET = 0.04  # how far a letter stands from its vertex, as part of the shape's diagonal
 _DEPTH = 0.99  # of the depth buffer's range: less than 1 brings the drawing before the faces that it lies on
-_NUMBER_DEPTH = 0.93  # numbers on edges reach farther over the faces beside them
+_NUMBER_DEPTH = 0.88  # numbers on edges reach farther over the faces beside them
 _FONT_SIZE = 15
-_TICK = coin.SoMarkerSet.CIRCLE_FILLED_7_7
+_TICK_SIZE = 6  # pixels
 
 
 class PlanOverlay:
@@ -71,8 +72,11 @@ class PlanOverlay:
             texts = [self._number_on(name, edge_nodes[name]) for name in names if self._has_room(name)]
             self._intervals.addChild(_in_colour(EDGE_COLOURS[role], ticks.tolist(), texts))
 
-    def show_levels(self, levels, edge_nodes):
-        """Draw edges within a layer in its colour, by {"Vertex1": 0} and {"Edge1": points}; none clear them."""
+    def show_levels(self, levels, edge_nodes, caps):
+        """Draw edges within a layer in its colour, by {"Vertex1": 0} and {"Edge1": points}; none clear them.
+
+        On the faces of `caps`, {"Face1": 0}, stands the number of their layer.
+        """
         self._levels.removeAllChildren()
         lines = {}
         for edge, nodes in edge_nodes.items():
@@ -82,12 +86,18 @@ class PlanOverlay:
         highest = max(levels.values(), default=0)
         for level in sorted(lines):
             self._levels.addChild(_polylines(level_colour(level, highest), lines[level]))
+        texts = [(self._middle(face), f"{level}") for face, level in caps.items()]
+        self._levels.addChild(_in_colour(_LEVEL_TEXT, [], texts))
 
     def cap_levels(self, levels, roles):
         """Return {"Face1": 0} for the sources and targets in `roles`, by {"Vertex1": 0}."""
         caps = [face for face, role in roles.items() if role in ("source", "target")]
         at = {face: [levels[vertex] for vertex in self._vertices[face] if vertex in levels] for face in caps}
         return {face: of_vertices[0] for face, of_vertices in at.items() if of_vertices}
+
+    def _middle(self, face):
+        face = self._elements[face]
+        return face.Surface.value(*face.Surface.parameter(face.CenterOfMass))
 
     def _has_room(self, edge):
         return self._elements[edge].Length > self._inset
@@ -160,11 +170,11 @@ def _in_colour(colour, ticks, texts):
     paint.rgb = colour
     group.addChild(paint)
     if ticks:
-        coordinates, markers = coin.SoCoordinate3(), coin.SoMarkerSet()
-        coordinates.point.setValues(0, len(ticks), [tuple(point) for point in ticks])
-        markers.markerIndex = _TICK
-        group.addChild(coordinates)
-        group.addChild(markers)
+        style, coordinates, points = coin.SoDrawStyle(), coin.SoCoordinate3(), coin.SoPointSet()
+        style.pointSize = _TICK_SIZE
+        coordinates.point.setValues(0, len(ticks), ticks)
+        for node in (style, coordinates, points):
+            group.addChild(node)
     here = coin.SbVec3f(0, 0, 0)
     if ticks and texts:
         depth = coin.SoDepthBuffer()

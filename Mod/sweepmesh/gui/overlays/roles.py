@@ -26,8 +26,9 @@ class FaceOverlay:
 
     def set_colours(self, colours):
         """Colour the faces of {"Face1": (r, g, b), ...}; others keep their own colours."""
-        self._colours = dict(colours)
-        self._draw()
+        if colours != self._colours:
+            self._colours = dict(colours)
+            self._draw()
 
     def uncover(self, names):
         """Leave these faces to the shape's own colours: FreeCAD shows there what is selected."""

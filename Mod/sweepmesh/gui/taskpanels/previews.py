@@ -14,17 +14,17 @@ _DELAY = 10  # ms after a change of a setting: changes that come together are on
 class Previews(QtCore.QObject):
     """Roles of faces, vertex types, intervals, levels and the imprint, each with its own switch in the form.
 
-    `task` returns (brep, options) as the form has them now, or raises the engine's InputError; `emphasized`
-    the names of the edges, and (face, vertex), for which something is prescribed. Plans are made off the GUI's thread; what cannot
+    `task` returns (brep, options) as the form has them now, or raises the engine's InputError; `models` are the
+    panel's ReadModels; `emphasized` returns the names of the edges, and (face, vertex), for which something is prescribed. Plans are made off the GUI's thread; what cannot
     be planned is not drawn. `planned` tells of a plan, `failed` of the engine's error where there is none.
     """
 
     planned = QtCore.Signal(object)
     failed = QtCore.Signal(object)
 
-    def __init__(self, form, obj, task, emphasized):
+    def __init__(self, form, obj, task, models, emphasized):
         super().__init__()
-        self._form, self._obj, self._task, self._emphasized = form, obj, task, emphasized
+        self._form, self._obj, self._task, self._models, self._emphasized = form, obj, task, models, emphasized
         self._make_overlays()
         self._roles, self._plan, self._imprint = {}, None, None
         self._planner = Runner()
@@ -91,9 +91,10 @@ class Previews(QtCore.QObject):
         except engine.SweepMeshError as error:
             self._plan_failed(error)
             return
-        self._planner.start(lambda progress: engine.plan(brep, options, progress))
+        use = self._models.use
+        self._planner.start(lambda progress: use(brep, lambda model: engine.plan(model, options, progress)))
         if self._is_imprint_wanted():
-            self._imprinter.start(lambda progress: Drawing(engine.imprint(brep, options, progress)))
+            self._imprinter.start(lambda progress: use(brep, lambda model: _drawing(model, options, progress)))
 
     def _is_imprint_wanted(self):
         return self._form.showCurves.isChecked() or self._form.showPairs.isChecked()
@@ -118,9 +119,8 @@ class Previews(QtCore.QObject):
         if self._form.showRoles.isChecked():
             colours.update({face: COLOURS[role] for face, role in self._roles.items()})
         if self._plan and self._form.showLevels.isChecked():
-            levels = self._plan_overlay.cap_levels(self._plan.levels, self._roles)
             highest = self._plan.n_layers
-            colours.update({face: level_colour(level, highest) for face, level in levels.items()})
+            colours.update({face: level_colour(level, highest) for face, level in self._cap_levels().items()})
         self._face_overlay.set_colours(colours)
 
     def _set_plan(self, plan):
@@ -129,6 +129,9 @@ class Previews(QtCore.QObject):
         self._draw_plan()
         if self._plan:
             self.planned.emit(self._plan)
+
+    def _cap_levels(self):
+        return self._plan_overlay.cap_levels(self._plan.levels, self._roles)
 
     def _plan_failed(self, error):
         self._set_plan(None)
@@ -144,8 +147,12 @@ class Previews(QtCore.QObject):
         else:
             overlay.show_intervals({}, {}, ())
         has_levels = plan and form.showLevels.isChecked()
-        overlay.show_levels(*((plan.levels, plan.edge_nodes) if has_levels else ({}, {})))
+        overlay.show_levels(*((plan.levels, plan.edge_nodes, self._cap_levels()) if has_levels else ({}, {}, {})))
         self._draw_faces()
+
+
+def _drawing(model, options, progress):
+    return Drawing(engine.imprint(model, options, progress))
 
 
 def _summary(plan, drawing):

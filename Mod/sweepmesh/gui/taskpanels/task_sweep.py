@@ -10,6 +10,7 @@ from sweepmesh.app.remembered import remember
 from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
 from sweepmesh.gui import recorder
+from sweepmesh.gui.read_models import ReadModels
 from sweepmesh.gui.resources import Widgets, icon, load_form, tr
 from sweepmesh.gui.runner import STOP_SECONDS, Runner
 from sweepmesh.gui.taskpanels.face_lists import FaceLists
@@ -35,10 +36,10 @@ class SweepPanel:
         for form, name in zip(self.form, FORMS):
             form.setWindowIcon(QtGui.QIcon(icon(FORMS[name])))
         self.widgets = Widgets(self.form)
-        self._picking = Picking(shape)
+        self._picking, self._models = Picking(shape), ReadModels()
         self._faces = FaceLists(self.widgets, shape, self._picking)
         self._overrides = Overrides(self.widgets, shape, self._picking)
-        self._previews = Previews(self.widgets, shape, self._task, self._overrides.names)
+        self._previews = Previews(self.widgets, shape, self._task, self._models, self._overrides.names)
         self._assessor, self._mesher = Runner(), Runner()
         self._connect()
         self.load(faces)
@@ -140,7 +141,8 @@ class SweepPanel:
         except engine.SweepMeshError as error:
             self._show_error(error)
             return
-        self._assessor.start(lambda progress: engine.assess(brep, options, progress))
+        use = self._models.use
+        self._assessor.start(lambda progress: use(brep, lambda model: engine.assess(model, options, progress)))
 
     def _show_assessment(self, assessment):
         self._schemes, self._is_plan_refused = assessment.schemes, False
