@@ -237,16 +237,24 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are straight
+/// where the solid has such sweeps.
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
+
 /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
 /// warning tells of those before it. False: the solid turned out not to be sweepable, see the
 /// assessment. Throws the first scheme's error where all fail otherwise.
 bool mesh_first_possible(const Model& model, const SweepOptions& options, StageClock& clock,
                          Context& context, SweepResult& result) {
-  constexpr std::size_t n_tries = 4;
   auto& schemes = result.assessment.schemes;
   std::exception_ptr first_error;
   std::optional<InvalidMeshError> fold;
-  for (std::size_t s = 0; s < std::min(n_tries, schemes.size()); ++s) try {
+  for (const std::size_t s : tries(schemes.size())) try {
       mesh_scheme(model, schemes[s], options, clock, context, result);
       std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
       return true;
