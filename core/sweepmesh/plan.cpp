@@ -2,6 +2,7 @@
 
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
+#include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 
 namespace sweepmesh {
@@ -21,6 +22,9 @@ std::vector<CornerType> corners_of(const Model& model, const Scheme& scheme) {
 
 Intervals intervals_of(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                        Context& context) {
+  if (is_shell_like(model, scheme))
+    return count_shell(model, scheme, find_shell(model, scheme, context), options, context)
+        .intervals;
   if (is_one_to_one(scheme)) return assign_intervals(model, scheme, options, context);
   ImprintOptions how;
   how.size = options.size;
