@@ -170,7 +170,9 @@ void ParameterPlane::lay_scaled(const CapLoops& loops) {
   Point2 low = all[outer].uv[0], high = low;
   for (const Point2& p : all[outer].uv) low = low.cwiseMin(p), high = high.cwiseMax(p);
   for (auto& loop : all) {
-    const Point2 shift = nearest_period(loop.uv[0], 0.5 * (low + high), periods_) - loop.uv[0];
+    Point2 shift = Point2::Zero();
+    if (&loop != &all[outer])
+      shift = nearest_period(loop.uv[0], 0.5 * (low + high), periods_) - loop.uv[0];
     loops_.emplace_back();
     for (const Point2& p : loop.uv) loops_.back().push_back(scale_.cwiseProduct(p + shift));
   }
