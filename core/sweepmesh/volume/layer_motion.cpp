@@ -123,10 +123,27 @@ std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const MotionBlock& 
   return maps;
 }
 
-void set_blends(const std::vector<Slab>& slabs, const BaseMetric& metric, int column,
-                MotionBlock& block) {
+/// Whether a map from the low end of a block to its high end says more of the motion than no map:
+/// loops that are small beside their caps say nothing of what lies far from them.
+bool is_telling(const AffineMap& map, const Extrusion& x, const Points& points, int block_index,
+                const LayerMotion& motion) {
+  constexpr double most_off = 0.5;  // of the way
+  const MotionBlock& block = motion.blocks[block_index];
+  double off = 0.0, way = 0.0;
+  for (int c = 0; c < x.n_cells(); ++c) {
+    if (motion.cell_block[c] != block_index) continue;
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
+      const Point3 low = points.row(x.node(x.cell_columns[i], block.k_low));
+      const Point3 high = points.row(x.node(x.cell_columns[i], block.k_high));
+      off += (map(low) - high).norm();
+      way += (low - high).norm();
+    }
+  }
+  return off <= most_off * way;
+}
+
+void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlock& block) {
   const int n = block.k_high - block.k_low;
-  std::vector<AffineMap> maps = chain(slabs, block, column);
   block.has_loops = !maps.empty();
   if (!block.has_loops) maps.assign(n + 1, AffineMap());
   const AffineMap back = maps.back().inverse();
@@ -227,9 +244,12 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
   list_blocks_of_columns(extrusion, motion);
   const std::vector<Slab> slabs = make_slabs(extrusion, fixed, points);
   for (int c = 0; c < extrusion.n_cells(); ++c) {
-    MotionBlock& block = motion.blocks[motion.cell_block[c]];
-    if (block.blend.empty())
-      set_blends(slabs, metric, extrusion.cell_columns[extrusion.cell_offset[c]], block);
+    const int b = motion.cell_block[c];
+    MotionBlock& block = motion.blocks[b];
+    if (!block.blend.empty()) continue;
+    auto maps = chain(slabs, block, extrusion.cell_columns[extrusion.cell_offset[c]]);
+    if (!maps.empty() && !is_telling(maps.back(), extrusion, points, b, motion)) maps.clear();
+    set_blends(metric, std::move(maps), block);
   }
   return motion;
 }

@@ -112,9 +112,16 @@ double improve(const Extrusion& x, const std::vector<char>& fixed, const BaseMet
   return least;
 }
 
+/// Whether layers are only interpolated between their ends: they may be improved even where the
+/// boundary left no residual.
+bool is_interpolated(const LayerMotion& motion) {
+  return std::any_of(motion.blocks.begin(), motion.blocks.end(),
+                     [](const MotionBlock& b) { return !b.has_loops && b.k_high > b.k_low + 1; });
+}
+
 void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
-                   const PlacementOptions& options, Points& points, PlacementReport& report,
-                   ThreadTeam& team, const Context& context) {
+                   const PlacementOptions& options, bool may_improve, Points& points,
+                   PlacementReport& report, ThreadTeam& team, const Context& context) {
   ElementCheck check = check_elements(x, points, 0.0, team);
   report.n_inverted_before = static_cast<long>(check.bad.size());
   if (!check.bad.empty() && options.max_attempts > 0) {
@@ -123,8 +130,7 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
   }
   report.inverted = check.bad;
   report.min_scaled_jacobian = check.min_scaled_jacobian;
-  // Where no residual was left, the layers are exact images of the caps and stay so.
-  if (check.bad.empty() && report.was_solved)
+  if (check.bad.empty() && may_improve)
     report.min_scaled_jacobian = improve(x, fixed, metric, options, check.min_scaled_jacobian,
                                          points, report, team, context);
 }
@@ -156,7 +162,9 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
     extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
                      points, report, team, context);
   context.report(0.6, "Checking the elements");
-  mend_elements(extrusion, fixed, metric, options, points, report, team, context);
+  // Where no residual was left, layers that follow loops are exact images of the caps and stay so.
+  const bool may_improve = report.was_solved || is_interpolated(motion);
+  mend_elements(extrusion, fixed, metric, options, may_improve, points, report, team, context);
   context.report(1.0, "Interior nodes placed");
   return report;
 }
