@@ -45,13 +45,13 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
                       const LayerMotion& motion, const Residuals& residuals, double unit,
                       const PlacementOptions& options, Points& points, PlacementReport& report,
                       ThreadTeam& team, const Context& context) {
-  LayeredLevel level = make_layered_level(x, metric, fixed);
+  const CellsOfColumns cells(x);
+  const LayeredLevel level = make_layered_level(x, cells, metric, fixed, team);
   if (level.system.size() == 0) return;
-  const LayeredSystem layout = level.system;
-  std::vector<float> e = right_hand_side(x, motion, metric, residuals, layout, 1.0 / unit, team);
-  const SolverReport solved =
-      solve(std::move(level), e, {.reduction = options.reduction}, team, context);
-  add_correction(x, layout, e, unit, points, team);
+  std::vector<float> e =
+      right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
+  const SolverReport solved = solve(level, e, {.reduction = options.reduction}, team, context);
+  add_correction(x, level.system, e, unit, points, team);
   report.was_solved = true;
   report.n_iterations = solved.n_iterations;
 }
@@ -145,7 +145,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   if (extrusion.n_elements() == 0) return report;
   ThreadTeam team(context.n_threads());
   context.report(0.0, "Placing the interior nodes");
-  const BaseMetric metric = make_base_metric(extrusion, fixed, points);
+  const BaseMetric metric = make_base_metric(extrusion, fixed, points, team);
   if (options.method != PlacementMethod::harmonic_residual) {
     place_by_older_method(options.method, extrusion, fixed, metric, points, team, context);
     const ElementCheck check = check_elements(extrusion, points, 0.0, team);
