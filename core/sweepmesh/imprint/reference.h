@@ -23,6 +23,11 @@ struct ReferenceCurve {
 };
 
 struct Reference {
+  /// The view: coordinates across the direction.
+  Point3 origin = Point3::Zero();
+  Eigen::Matrix<double, 2, 3> axes = Eigen::Matrix<double, 2, 3>::Zero();
+  Point2 project(const Point3& p) const { return axes * (p - origin); }
+
   std::vector<ReferenceCurve> curves;
   std::vector<Point2> vertex;  ///< by VertexId; zero where no curve ends and no column passes
   double coincidence = 0.0;    ///< curves nearer than this are the same one in the CAD model
