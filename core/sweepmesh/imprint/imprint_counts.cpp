@@ -7,9 +7,9 @@
 #include <set>
 
 #include "sweepmesh/imprint/edge_lengths.h"
+#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/interval_demands.h"
-#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/wishes.h"
 
 namespace sweepmesh {

@@ -90,8 +90,7 @@ class PanelFinder {
         return walls_.level[e.index] == walls_.level[edges.front().index];
       });
     };
-    if (low.empty() || high.empty() || !is_level(bottoms) || !is_level(tops))
-      return add_stepped(f);
+    if (low.empty() || high.empty() || !is_level(bottoms) || !is_level(tops)) return add_stepped(f);
     out_.push_back(ruled_panel(f, walls_.level[bottoms.front().index],
                                walls_.level[tops.front().index], low, high));
   }
@@ -140,6 +139,20 @@ class PanelFinder {
   std::vector<Panel> out_;
 };
 
+/// Inclined caps may have their means in another order than their levels.
+void keep_growing(Heights& height) {
+  constexpr double least_share = 0.01;  // of the mean distance between levels
+  if (height.empty()) return;
+  double low = height.begin()->second, high = low;
+  for (const auto& [level, h] : height) {
+    low = std::min(low, h);
+    high = std::max(high, h);
+  }
+  const double least = least_share * (high - low) / static_cast<double>(height.size());
+  for (auto it = std::next(height.begin()); it != height.end(); ++it)
+    it->second = std::max(it->second, std::prev(it)->second + least);
+}
+
 }  // namespace
 
 Heights level_heights(const Model& model, const Walls& walls, const Point3& direction) {
@@ -154,6 +167,7 @@ Heights level_heights(const Model& model, const Walls& walls, const Point3& dire
   for (std::size_t i = 0; i < walls.vertex_level.size(); ++i)
     if (const int l = walls.vertex_level[i]; l >= 0 && !out.contains(l))
       out[l] = direction.dot(model.point(VertexId{i}));
+  keep_growing(out);
   return out;
 }
 

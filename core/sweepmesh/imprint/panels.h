@@ -27,7 +27,7 @@ struct Panel {
   }
 };
 
-/// Mean heights of the levels along a direction, by level.
+/// Mean heights of the levels along a direction, by level; made to grow with the levels.
 using Heights = std::map<int, double>;
 Heights level_heights(const Model& model, const Walls& walls, const Point3& direction);
 

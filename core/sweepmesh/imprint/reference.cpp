@@ -1,7 +1,6 @@
 #include "sweepmesh/imprint/reference.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sweepmesh {
@@ -99,11 +98,12 @@ class Sampler {
 /// Whether each of `edges` lies over the edges `others`, at its ends and between.
 bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& others,
               const std::vector<const ReferenceCurve*>& curve, double tolerance) {
-  constexpr std::array fractions = {0.0, 0.21, 0.5, 0.83, 1.0};
+  constexpr int n_parts = 32;
   for (const EdgeId e : edges) {
     const Polyline& line = curve[e.index]->points;
-    for (const double f : fractions) {
-      const Point2 p = at_arc(line, f * length(line)).point;
+    const double whole = length(line);
+    for (int i = 0; i <= n_parts; ++i) {
+      const Point2 p = at_arc(line, whole * i / n_parts).point;
       const bool is_over = std::any_of(others.begin(), others.end(), [&](EdgeId o) {
         return nearest(curve[o.index]->points, p).distance <= tolerance;
       });
@@ -158,7 +158,8 @@ Reference projected_reference(const Model& model, const Walls& walls, const Poin
     reference.curves.push_back(Sampler(model, e, reference, coincidence / 4).sample());
   }
   for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
-  for (const VertexId v : model.vertices()) reference.vertex[v.index] = reference.project(model.point(v));
+  for (const VertexId v : model.vertices())
+    reference.vertex[v.index] = reference.project(model.point(v));
   return reference;
 }
 

@@ -20,7 +20,8 @@ std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, dou
 /// Images in R of points inside the section. The section is triangulated with the points as
 /// vertices and others about `spacing` apart, and mapped as a cap is (cap_map.h): harmonic, with
 /// positive weights, and free of folds. Throws InvalidMeshError where no map without folds is
-/// found. The points must differ from each other and from the outline's.
+/// found, and where there are no loops. The points must differ from each other and from the
+/// outline's.
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
                                    const Context& context);

@@ -340,7 +340,7 @@ class SlabWalker {
   std::vector<Polyline> in_r_;    ///< by panel, once known
   std::vector<char> is_known_;    ///< by curve: it is in R
   std::vector<char> is_upright_;  ///< by FaceId
-  int base_ = 0;  ///< level at the lower end of the base slab
+  int base_ = 0;                  ///< level at the lower end of the base slab
   Reference out_;
 };
 

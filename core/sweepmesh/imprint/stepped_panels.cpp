@@ -56,7 +56,8 @@ class StepCutter {
  private:
   Spot spot_of(const Coedge& c, double fraction) const {
     const auto [first, last] = model_.range(c.edge);
-    const double t = c.reversed ? last + fraction * (first - last) : first + fraction * (last - first);
+    const double t =
+        c.reversed ? last + fraction * (first - last) : first + fraction * (last - first);
     return {model_.uv(c, t), seen_.project(model_.point(c.edge, t))};
   }
 
@@ -92,8 +93,7 @@ class StepCutter {
         add_spots(loop[i % n], spots);
         ++i;
       } while (level(loop[i % n]) < 0);
-      Side side{level(loop[first]), level(loop[i % n]), std::move(spots),
-                d == Direction::minus_k};
+      Side side{level(loop[first]), level(loop[i % n]), std::move(spots), d == Direction::minus_k};
       if (side.is_left) {
         std::swap(side.low, side.high);
         std::reverse(side.spots.begin(), side.spots.end());

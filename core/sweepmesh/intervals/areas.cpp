@@ -6,8 +6,8 @@
 namespace sweepmesh {
 namespace {
 
-constexpr int kFine = 48;           ///< chords that stand for the curve itself
-constexpr double kMostTimes = 6.0;  ///< a sliver of a face must not rule the whole mesh
+constexpr int kFine = 48;            ///< chords that stand for the curve itself
+constexpr double kMostTimes = 6.0;   ///< a sliver of a face must not rule the whole mesh
 constexpr double kNearEnough = 1.2;  ///< what is chosen may miss by so much more than is wished
 
 /// Twice the area between a coedge's chord and the polygon of `n` chords of equal parameter along
