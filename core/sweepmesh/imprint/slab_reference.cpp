@@ -111,7 +111,8 @@ class SlabWalker {
   }
 
   /// An edge where a leaning linking face begins, and none ends, is taken where the face is halfway
-  /// to its other end, for the same reason as base_height().
+  /// to its other end, for the same reason as base_height(). Not on a face with steps, which goes
+  /// on beside the edge.
   void lean_halfway(int level, bool upwards, ReferenceCurve& c) const {
     const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
     const FaceId ending = (upwards ? walls_.below : walls_.above)[c.edge.index];
@@ -120,7 +121,9 @@ class SlabWalker {
     const Panel* panel = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const Panel& p : panels_) {
-      if (p.face != f || (upwards ? p.low : p.high) != level) continue;
+      if (p.face != f) continue;
+      if ((upwards ? p.high : p.low) == level) return;
+      if ((upwards ? p.low : p.high) != level) continue;
       const double distance = nearest(seen_at(p, level), middle).distance;
       if (distance >= least) continue;
       least = distance;
