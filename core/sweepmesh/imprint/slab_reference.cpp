@@ -12,6 +12,22 @@
 namespace sweepmesh {
 namespace {
 
+/// Of places on a line those that are more than `least` of arc apart, and both ends.
+std::vector<double> apart(const Polyline& line, const std::set<double>& positions, double least) {
+  std::vector<double> out;
+  double arc = 0.0;
+  const double whole = length(line);
+  for (const double at : positions) {
+    const double here = at_position(line, at).arc;
+    if (!out.empty() && (here - arc <= least || whole - here <= least)) continue;
+    out.push_back(at);
+    arc = here;
+  }
+  const double end = static_cast<double>(line.size() - 1);
+  if (out.back() != end) out.push_back(end);
+  return out;
+}
+
 class SlabWalker {
  public:
   SlabWalker(const Model& model, const Scheme& scheme, const Walls& walls, const Point3& direction,
@@ -102,7 +118,7 @@ class SlabWalker {
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
     ReferenceCurve fine{c.edge, {}, {}};
-    for (const double at : positions) {
+    for (const double at : apart(c.points, positions, seen_.coincidence)) {
       const std::size_t i = std::min(static_cast<std::size_t>(at), c.points.size() - 2);
       fine.points.push_back(at_position(c.points, at).point);
       fine.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
@@ -268,7 +284,7 @@ class SlabWalker {
       }
     Polyline bottom, top;
     in_r_[p].clear();
-    for (const double at : positions) {
+    for (const double at : apart(line, positions, seen_.coincidence)) {
       bottom.push_back(at_position(panel.bottom, at).point);
       top.push_back(at_position(panel.top, at).point);
       in_r_[p].push_back(along_edges_or_panels(curves, met, level, at_position(line, at).point));
