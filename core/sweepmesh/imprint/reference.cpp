@@ -166,7 +166,12 @@ Reference projected_reference(const Model& model, const Walls& walls, const Poin
 bool is_upright(const Walls& walls, const Reference& seen, FaceId face) {
   const auto curve = by_edge(walls, seen);
   const auto &bottoms = walls.bottoms[face.index], &tops = walls.tops[face.index];
-  return lie_over(bottoms, tops, curve, seen.coincidence) &&
+  const auto is_steep = [&](const std::pair<VertexId, VertexId>& side) {
+    return (seen.vertex[side.first.index] - seen.vertex[side.second.index]).norm() <=
+           2 * seen.coincidence;
+  };
+  return std::ranges::all_of(walls.sides[face.index], is_steep) &&
+         lie_over(bottoms, tops, curve, seen.coincidence) &&
          lie_over(tops, bottoms, curve, seen.coincidence);
 }
 

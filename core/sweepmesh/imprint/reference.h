@@ -43,8 +43,8 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
                               double coincidence, const Context& context);
 
-/// Whether a linking face's lower and upper edges lie over each other, or those of all linking
-/// faces do: then the projection is R.
+/// Whether a linking face's lower and upper edges lie over each other, and the ends of its axial
+/// ones, or those of all linking faces do: then the projection is R.
 bool is_upright(const Walls& walls, const Reference& seen, FaceId face);
 bool is_upright(const Walls& walls, const Reference& seen);
 

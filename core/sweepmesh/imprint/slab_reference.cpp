@@ -131,8 +131,10 @@ class SlabWalker {
   /// on beside the edge.
   void lean_halfway(int level, bool upwards, ReferenceCurve& c) const {
     const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
-    const FaceId ending = (upwards ? walls_.below : walls_.above)[c.edge.index];
-    if (!f.is_valid() || is_upright_[f.index] || ending.is_valid()) return;
+    const auto& ending = upwards ? walls_.below : walls_.above;
+    if (!f.is_valid() || is_upright_[f.index]) return;
+    for (const EdgeId e : (upwards ? walls_.bottoms : walls_.tops)[f.index])
+      if (walls_.level[e.index] == level && ending[e.index].is_valid()) return;
     const Point2 middle = at_arc(c.points, length(c.points) / 2).point;
     const Panel* panel = nullptr;
     double least = std::numeric_limits<double>::infinity();
