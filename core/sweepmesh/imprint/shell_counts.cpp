@@ -68,8 +68,8 @@ class Demands {
 
   void add_edge(const ShellEdge& e) {
     if (!e.high.edge.is_valid()) {
-      const double wish = std::max(
-          1.0, std::sqrt(length_of(e, e.high) * length_of(e, e.low)) / options_.size);
+      const double wish =
+          std::max(1.0, std::sqrt(length_of(e, e.high) * length_of(e, e.low)) / options_.size);
       edge_.push_back(out_.problem.add({e.start == e.end ? 4.0 : 1.0, unbounded, wish, wish}));
       return;
     }
@@ -92,7 +92,7 @@ class Demands {
       const ShellTrace& trace = is_high ? e.high : e.low;
       if (!trace.edge.is_valid() || (e.start != vertex && e.end != vertex)) continue;
       return model_.point((e.start == vertex) != trace.is_reversed ? model_.start(trace.edge)
-                                                                  : model_.end(trace.edge));
+                                                                   : model_.end(trace.edge));
     }
     return Point3::Zero();
   }
