@@ -47,6 +47,7 @@ class StepCutter {
       along_ += rim.end.uv - rim.start.uv;
       levels.insert(rim.level);
     }
+    for (const Side& side : sides_) levels.insert({side.low, side.high});
     if (along_.norm() == 0.0) return {};
     for (auto it = levels.begin(); it != levels.end() && std::next(it) != levels.end(); ++it)
       if (!add_strips(*it, *std::next(it))) return {};
