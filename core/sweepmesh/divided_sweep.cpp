@@ -290,12 +290,16 @@ SweepPlan of_whole(const Model& model, const DividedModel& parts, const SweepPla
     corner.edge = parts.vertex_edge[corner.vertex.index];
     corner.vertex = parts.vertex[corner.vertex.index];
   }
+  const auto pieces = pieces_of(model, parts);
+  std::vector<char> is_against(parts.edge.size(), 0);
+  for (const auto& of_edge : pieces)
+    for (const Piece& piece : of_edge) is_against[piece.id.index] = piece.reversed;
   for (EdgeDirection& d : out.directions) {
+    d.reversed = d.reversed != is_against[d.edge.index];
     d.face = parts.face[d.face.index];
     d.edge = parts.edge[d.edge.index];
   }
-  for (const auto& pieces : pieces_of(model, parts))
-    out.edge_nodes.push_back(joined(pieces, plan.edge_nodes));
+  for (const auto& of_edge : pieces) out.edge_nodes.push_back(joined(of_edge, plan.edge_nodes));
   return out;
 }
 

@@ -53,6 +53,35 @@ std::vector<InnerEdge> inner_edges(const Imprint& imprint, const std::map<int, i
   return out;
 }
 
+/// Points between those of a line, on cubic curves with the tangents of their neighbours.
+Polyline smoothly_refined(const Polyline& line, int n_parts) {
+  const auto tangent = [&](std::size_t i) -> Point2 {
+    const std::size_t a = i == 0 ? 0 : i - 1, b = std::min(i + 1, line.size() - 1);
+    return (line[b] - line[a]) / static_cast<double>(b - a);
+  };
+  Polyline out = {line.front()};
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    for (int part = 1; part <= n_parts; ++part) {
+      const double s = static_cast<double>(part) / n_parts, r = 1.0 - s;
+      out.push_back(r * r * (1 + 2 * s) * line[i] + s * s * (1 + 2 * r) * line[i + 1] +
+                    s * r * (r * tangent(i) - s * tangent(i + 1)));
+    }
+  return out;
+}
+
+/// As resampled(), without points that all but coincide.
+std::vector<PolylinePoint> spread(const Polyline& line, double spacing) {
+  constexpr double least_share = 0.02;
+  const double least = std::min(least_share * spacing, length(line) / 2);
+  std::vector<PolylinePoint> out;
+  auto all = resampled(line, spacing);
+  for (const PolylinePoint& p : all)
+    if (out.empty() || (p.arc - out.back().arc > least && all.back().arc - p.arc > least))
+      out.push_back(p);
+  out.push_back(all.back());
+  return out;
+}
+
 /// One cap: its outline in R and in its chart, point by point, and what is carried between them.
 class CapDivider {
  public:
@@ -122,7 +151,7 @@ class CapDivider {
       if (d.reversed) std::reverse(line.begin(), line.end());
       const double whole = length(line), first = d.reversed ? trace->last : trace->first;
       const double last = d.reversed ? trace->first : trace->last;
-      for (const PolylinePoint& p : resampled(line, spacing_)) {
+      for (const PolylinePoint& p : spread(line, spacing_)) {
         const bool is_start = p.arc <= 0.0, is_end = p.arc >= whole;
         if (is_start && !t.empty()) continue;
         t.push_back(is_start ? first : is_end ? last : parameter_at(e, first, last, p.arc / whole));
@@ -143,6 +172,7 @@ class CapDivider {
   NodeId node_at(const Point2& p, int vertex, EdgeId e, double t) {
     if (vertex >= 0) place_of_vertex_.emplace(vertex, model_.point(e, t));
     in_reference_.push_back(p);
+    vertex_of_.push_back(vertex);
     return NodeId{in_reference_.size() - 1};
   }
 
@@ -168,6 +198,10 @@ class CapDivider {
       to.push_back(to.front());
       outline_[chart_->order()[k]].to = std::move(to);
     }
+    for (std::size_t l = 0; l < above.size(); ++l)
+      for (std::size_t i = 0; i < above[l].size(); ++i)
+        if (const int v = vertex_of_[above[l][i].node.index]; v >= 0)
+          in_chart_[v] = outline_[l].to[i];
   }
 
   static double facet_size(const CapLoops& loops) {
@@ -192,32 +226,34 @@ class CapDivider {
       for (const int v : {edge.start, edge.end})
         if (!is_on_outline(v) && at_vertex.try_emplace(v, points.size()).second)
           points.push_back(imprint_.vertices[v].point);
-      const auto samples = resampled(edge.points, curve_spacing());
+      const auto samples = spread(edge.points, spacing_);
       for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
         at_edge[e.edge].push_back(points.size());
         points.push_back(samples[i].point);
       }
     }
-    const auto images = carried_inside(outline_, points, spacing_, context_);
-    const auto in_space = [&](const Point2& p) {
-      return chart_->point(is_source_ ? p : mirrored(p));
-    };
-    for (const auto& [v, i] : at_vertex) place_of_vertex_.emplace(v, in_space(images[i]));
+    const auto images = carried_inside(outline_, points, spacing_, Carrying::smooth, context_);
+    for (const auto& [v, i] : at_vertex) {
+      in_chart_[v] = images[i];
+      place_of_vertex_.emplace(v, in_space(images[i]));
+    }
     for (const auto& [e, list] : at_edge)
-      for (const std::size_t i : list) inside_[e].push_back(in_space(images[i]));
+      for (const std::size_t i : list) inside_[e].push_back(images[i]);
   }
 
-  /// Curves on curved faces are laid through more points, to keep to the face between them.
-  double curve_spacing() const {
-    constexpr double share = 0.25;
-    return model_.is_planar(cap_) ? spacing_ : share * spacing_;
-  }
+  Point3 in_space(const Point2& p) const { return chart_->point(is_source_ ? p : mirrored(p)); }
 
+  /// On a curved face points are added, so that a curve through them keeps to the face.
   DividingCurve curve_of(int e) const {
+    constexpr int n_parts = 4;
     const ImprintEdge& edge = imprint_.edges[e];
-    DividingCurve out{{place_of_vertex_.at(edge.start)}, edge.start, edge.end};
+    Polyline line = {in_chart_.at(edge.start)};
     if (const auto found = inside_.find(e); found != inside_.end())
-      out.points.insert(out.points.end(), found->second.begin(), found->second.end());
+      line.insert(line.end(), found->second.begin(), found->second.end());
+    line.push_back(in_chart_.at(edge.end));
+    if (!model_.is_planar(cap_)) line = smoothly_refined(line, n_parts);
+    DividingCurve out{{place_of_vertex_.at(edge.start)}, edge.start, edge.end};
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) out.points.push_back(in_space(line[i]));
     out.points.push_back(place_of_vertex_.at(edge.end));
     return out;
   }
@@ -229,10 +265,12 @@ class CapDivider {
   const Context& context_;
   double spacing_ = 0.0;              ///< between nodes of the triangulation in R
   std::vector<Point2> in_reference_;  ///< by node of the outline
+  std::vector<int> vertex_of_;        ///< by node of the outline: the imprint vertex, or -1
   std::vector<OutlinePart> outline_;  ///< as seen from above
   std::optional<Chart> chart_;
   std::map<int, Point3> place_of_vertex_;      ///< by imprint vertex, on the cap
-  std::map<int, std::vector<Point3>> inside_;  ///< by imprint edge, its ends left out
+  std::map<int, Point2> in_chart_;             ///< by imprint vertex
+  std::map<int, std::vector<Point2>> inside_;  ///< by imprint edge, its ends left out; in the chart
 };
 
 }  // namespace
