@@ -119,12 +119,29 @@ class SlabWalker {
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
     ReferenceCurve fine{c.edge, {}, {}};
-    for (const double at : positions) {
+    for (const double at : apart(positions, c.points)) {
       const std::size_t i = std::min(static_cast<std::size_t>(at), c.points.size() - 2);
       fine.points.push_back(at_position(c.points, at).point);
       fine.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
     }
     c = std::move(fine);
+  }
+
+  /// Positions on a line without those that all but coincide with others; the ends stay.
+  std::vector<double> apart(const std::set<double>& positions, const Polyline& line) const {
+    constexpr double share = 0.1;
+    const double least = share * seen_.coincidence;
+    const Point2 last = at_position(line, *positions.rbegin()).point;
+    std::vector<double> out = {*positions.begin()};
+    Point2 before = at_position(line, out.front()).point;
+    for (const double at : positions) {
+      const Point2 here = at_position(line, at).point;
+      if ((here - before).norm() <= least || (here - last).norm() <= least) continue;
+      out.push_back(at);
+      before = here;
+    }
+    out.push_back(*positions.rbegin());
+    return out;
   }
 
   /// An edge where a leaning linking face begins, and none ends, is taken where the face is halfway
@@ -272,11 +289,12 @@ class SlabWalker {
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
     in_r_[p].clear();
-    for (const double at : positions)
+    const std::vector<double> kept = apart(positions, line);
+    for (const double at : kept)
       in_r_[p].push_back(along_edges(curves, at_position(line, at).point));
     for (Polyline& l : panel.line) {
       Polyline fine;
-      for (const double at : positions) fine.push_back(at_position(l, at).point);
+      for (const double at : kept) fine.push_back(at_position(l, at).point);
       l = std::move(fine);
     }
   }
