@@ -17,13 +17,13 @@ std::vector<CapDivision> whole_caps(const Model& model, const Scheme& scheme) {
 
 class ShapeMaker {
  public:
-  ShapeMaker(ImprintShapes& out, Context& context) : out_(out), context_(context) {}
+  ShapeMaker(ImprintShapes& out, double merge_fraction, Context& context)
+      : out_(out), merge_fraction_(merge_fraction), context_(context) {}
 
   void add_solid(const Model& model, const Scheme& scheme) {
     if (is_one_to_one(scheme)) return add(whole_caps(model, scheme), scheme, 1);
-    ImprintOptions how;
-    how.size = out_.size;
-    const Imprint imprint = imprint_caps(model, scheme, how, context_);
+    const Imprint imprint = imprint_caps(
+        model, scheme, {.size = out_.size, .merge_fraction = merge_fraction_}, context_);
     int n_runs = 0;
     for (const Patch& p : imprint.patches) n_runs += static_cast<int>(p.runs.size());
     out_.merges.insert(out_.merges.end(), imprint.merges.begin(), imprint.merges.end());
@@ -59,6 +59,7 @@ class ShapeMaker {
   }
 
   ImprintShapes& out_;
+  double merge_fraction_;
   Context& context_;
   std::vector<CapDivision> caps_;
   std::vector<bool> is_source_;  ///< by cap
@@ -78,7 +79,7 @@ ImprintShapes imprint_solids(const std::vector<Model>& solids, const Picks& pick
     verdicts.push_back(assess(solid, picks_on(solid, picks), context));
   out.assessment = solids.size() == 1 ? verdicts.front() : merged_verdicts(verdicts);
   if (!out.assessment.is_sweepable()) return out;
-  ShapeMaker maker(out, context);
+  ShapeMaker maker(out, merge_fractions(options, out.size).front(), context);
   for (std::size_t s = 0; s < solids.size(); ++s)
     maker.add_solid(solids[s], verdicts[s].schemes.front());
   maker.make_shapes();

@@ -2,6 +2,7 @@
 
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
+#include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 
 namespace sweepmesh {
@@ -36,6 +37,14 @@ void plan_one_to_one(const Model& model, const Scheme& scheme, const IntervalOpt
   plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
 }
 
+/// Nodes on cuts through the caps belong to no edge and are left out.
+void plan_shell(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                Context& context, SweepPlan& plan) {
+  const Shell shell = find_shell(model, scheme, context);
+  plan.intervals = count_shell(model, scheme, shell, options, context).intervals;
+  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+}
+
 void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fraction,
                     const IntervalOptions& options, Context& context, SweepPlan& plan) {
   const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
@@ -59,7 +68,9 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   const Scheme& scheme = plan.assessment.schemes.front();
   plan.corners = corners_of(model, scheme);
   const IntervalOptions intervals = interval_options(model, options, plan.size);
-  if (is_one_to_one(scheme))
+  if (is_shell_like(model, scheme))
+    plan_shell(model, scheme, intervals, context, plan);
+  else if (is_one_to_one(scheme))
     plan_one_to_one(model, scheme, intervals, context, plan);
   else
     plan_imprinted(model, scheme, merge_fractions(options, plan.size).front(), intervals, context,

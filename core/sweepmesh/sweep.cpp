@@ -13,6 +13,7 @@
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/wishes.h"
 #include "sweepmesh/second_order_on_model.h"
+#include "sweepmesh/shell_boundary.h"
 #include "sweepmesh/volume/place.h"
 
 namespace sweepmesh {
@@ -190,6 +191,40 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
   std::rethrow_exception(first);
 }
 
+BoundaryMesh boundary_of_shell(const Model& model, const Scheme& scheme,
+                               const IntervalOptions& options, CellKind kind, StageClock& clock,
+                               Context& context, SweepResult& result) {
+  context.report(0.05, "Matching sources and targets");
+  const Shell shell = clock.run("imprint", [&] { return find_shell(model, scheme, context); });
+  context.report(0.1, "Choosing intervals");
+  const ShellCounts counts = clock.run(
+      "intervals", [&] { return count_shell(model, scheme, shell, options, context); });
+  result.intervals = counts.intervals;
+  context.report(0.2, "Meshing the surface");
+  return clock.run("surface", [&] {
+    return mesh_shell_boundary(model, scheme, shell, counts, options, kind, context);
+  });
+}
+
+BoundaryMesh boundary_of(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                         CellKind kind, const std::vector<double>& merge_fractions,
+                         StageClock& clock, Context& context, SweepResult& result) {
+  if (is_shell_like(model, scheme))
+    return boundary_of_shell(model, scheme, options, kind, clock, context, result);
+  if (is_one_to_one(scheme))
+    return boundary_of_one(model, scheme, options, kind, clock, context, result);
+  return boundary_of_many(model, scheme, options, kind, merge_fractions, clock, context, result);
+}
+
+/// Edges whose inner nodes all were passed over have no mesh edges: seams of caps.
+void forget_unused_edges(const BoundaryMesh& boundary, Intervals& intervals) {
+  std::vector<char> is_used(intervals.edge.size(), 0);
+  for (const Owner& o : boundary.surface.owner)
+    if (o.kind == EntityKind::edge) is_used[o.index] = 1;
+  for (std::size_t e = 0; e < is_used.size(); ++e)
+    if (!is_used[e] && intervals.edge[e] > 1) intervals.edge[e] = 0;
+}
+
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
   place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
@@ -204,10 +239,9 @@ void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& o
   const IntervalOptions intervals = interval_options(model, options, result.size);
   const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
   const BoundaryMesh boundary =
-      is_one_to_one(scheme)
-          ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
-          : boundary_of_many(model, scheme, intervals, kind, merge_fractions(options, result.size),
-                             clock, context, result);
+      boundary_of(model, scheme, intervals, kind, merge_fractions(options, result.size), clock,
+                  context, result);
+  forget_unused_edges(boundary, result.intervals);
   context.report(0.6, "Placing interior nodes");
   result.mesh = clock.run("place", [&] {
     VolumeMesh mesh = fill(boundary, context);
@@ -237,16 +271,24 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are straight
+/// where the solid has such sweeps.
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
+
 /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
 /// warning tells of those before it. False: the solid turned out not to be sweepable, see the
 /// assessment. Throws the first scheme's error where all fail otherwise.
 bool mesh_first_possible(const Model& model, const SweepOptions& options, StageClock& clock,
                          Context& context, SweepResult& result) {
-  constexpr std::size_t n_tries = 4;
   auto& schemes = result.assessment.schemes;
   std::exception_ptr first_error;
   std::optional<InvalidMeshError> fold;
-  for (std::size_t s = 0; s < std::min(n_tries, schemes.size()); ++s) try {
+  for (const std::size_t s : tries(schemes.size())) try {
       mesh_scheme(model, schemes[s], options, clock, context, result);
       std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
       return true;

@@ -1,15 +1,22 @@
-"""What is prescribed for single edges of a solid: as settings, as texts in an object's properties, and back.
+"""What is prescribed for single edges and vertices: as settings, as texts in an object's properties, and back.
 
-    settings                                    property      text
-    edge_count={"Edge5": 12}                    EdgeCounts    Edge5=12
-    edge_size={"Edge5": 0.8}                    EdgeSizes     Edge5=0.8
-    edge_bias={"Edge5": 1.2}                    EdgeBiases    Edge5=1.2
-    edge_bias={"Edge5": (1.2, True)}            EdgeBiases    Edge5=1.2 both
+    settings                                          property       text
+    edge_count={"Edge5": 12}                          EdgeCounts     Edge5=12
+    edge_size={"Edge5": 0.8}                          EdgeSizes      Edge5=0.8
+    edge_bias={"Edge5": 1.2}                          EdgeBiases     Edge5=1.2
+    edge_bias={"Edge5": (1.2, True)}                  EdgeBiases     Edge5=1.2 both
+    vertex_types={("Face3", "Vertex7"): "corner"}     VertexTypes    Face3:Vertex7=corner
 """
-from sweepmesh.app.shapes import edge_number
+from sweepmesh.app.shapes import edge_number, face_number, vertex_number
 from sweepmesh.engine.errors import input_error
 
-PROPERTIES = {"edge_count": "EdgeCounts", "edge_size": "EdgeSizes", "edge_bias": "EdgeBiases"}
+PROPERTIES = {
+    "edge_count": "EdgeCounts",
+    "edge_size": "EdgeSizes",
+    "edge_bias": "EdgeBiases",
+    "vertex_types": "VertexTypes",
+}
+_EXAMPLES = {"edge_count": (5, 12), "edge_size": (5, 0.8), "edge_bias": (5, (1.2, True)), "vertex_types": ((3, 7), "corner")}
 _BOTH = "both"
 
 
@@ -21,18 +28,23 @@ def bias(value):
     return float(ratio), bool(is_symmetric)
 
 
-_VALUE = {"edge_count": int, "edge_size": float, "edge_bias": bias}
+_VALUE = {"edge_count": int, "edge_size": float, "edge_bias": bias, "vertex_types": str}
 
 
 def by_number(source, name, values):
-    """Return {5: 12} for {"Edge5": 12}; `name` is that of the setting, edges are what edge_number takes."""
-    numbered = {edge_number(source, edge): _VALUE[name](value) for edge, value in (values or {}).items()}
+    """Return {5: 12} for {"Edge5": 12}; `name` is that of the setting, keys are what edge_number and so on take."""
+    numbered = {_key_number(source, name, key): _VALUE[name](value) for key, value in (values or {}).items()}
     return dict(sorted(numbered.items()))
+
+
+def by_name(name, values):
+    """Return {"Edge5": 12} for {5: 12}."""
+    return {_key_name(key): value for key, value in values.items()}
 
 
 def to_texts(values):
     """Return the texts for {5: 12} or {"Edge5": 12}."""
-    return [f"{_edge(edge)}={_text(value)}" for edge, value in values.items()]
+    return [f"{_key_text(key)}={_text(value)}" for key, value in values.items()]
 
 
 def from_texts(name, texts):
@@ -40,27 +52,57 @@ def from_texts(name, texts):
     return dict(sorted(_from_text(name, text) for text in texts))
 
 
-def _edge(edge):
-    return edge if isinstance(edge, str) else f"Edge{edge}"
+def _key_number(source, name, key):
+    if name != "vertex_types":
+        return edge_number(source, key)
+    face, vertex = key
+    return face_number(source, face), vertex_number(source, vertex)
+
+
+def _key_name(key):
+    if isinstance(key, tuple):
+        face, vertex = key
+        return (face, vertex) if isinstance(face, str) else (f"Face{face}", f"Vertex{vertex}")
+    return key if isinstance(key, str) else f"Edge{key}"
+
+
+def _key_text(key):
+    name = _key_name(key)
+    return name if isinstance(name, str) else ":".join(name)
 
 
 def _text(value):
+    if isinstance(value, str):
+        return value
     ratio, is_symmetric = value if isinstance(value, (tuple, list)) else (value, False)
     return f"{ratio!r} {_BOTH}" if is_symmetric else repr(ratio)
 
 
 def _from_text(name, text):
-    edge, _, value = (part.strip() for part in text.partition("="))
+    key, _, value = (part.strip() for part in text.partition("="))
     try:
-        if not edge.startswith("Edge") or int(edge[4:]) < 1:
-            raise ValueError(edge)
-        return int(edge[4:]), _value(name, value)
+        return _key(name, key), _value(name, value)
     except ValueError:
-        example = to_texts({5: (1.2, True) if name == "edge_bias" else 12})[0]
-        raise input_error(f"'{text}' in {PROPERTIES[name]} says nothing of an edge: {example} would.") from None
+        example = to_texts(dict([_EXAMPLES[name]]))[0]
+        raise input_error(f"'{text}' in {PROPERTIES[name]} cannot be understood: {example} would be right.") from None
+
+
+def _key(name, text):
+    if name != "vertex_types":
+        return _number("Edge", text)
+    face, _, vertex = text.partition(":")
+    return _number("Face", face.strip()), _number("Vertex", vertex.strip())
+
+
+def _number(kind, name):
+    if not name.startswith(kind) or int(name[len(kind) :]) < 1:
+        raise ValueError(name)
+    return int(name[len(kind) :])
 
 
 def _value(name, text):
+    if name == "vertex_types" and not text:
+        raise ValueError(text)
     if name != "edge_bias":
         return _VALUE[name](text)
     ratio, _, ends = text.partition(" ")

@@ -73,6 +73,20 @@ def edge_number(source, edge):
     return number
 
 
+def vertex_number(source, vertex):
+    """Return the number of a vertex of `source`: 7 for Vertex7, given by name, by number, or as a Part.Vertex."""
+    shape = shape_of(source)
+    if isinstance(vertex, str):
+        number = _number_in_name("Vertex", vertex)
+    elif isinstance(vertex, Part.Vertex):
+        number = _number_of(shape.Vertexes, vertex)
+    else:
+        number = int(vertex)
+    if not 1 <= number <= len(shape.Vertexes):
+        raise input_error(f"There is no vertex {vertex}: the shape has Vertex1 to Vertex{len(shape.Vertexes)}.")
+    return number
+
+
 def _number_in_name(kind, name):
     digits = name[len(kind):]
     if not name.startswith(kind) or not digits.isdigit():
@@ -85,4 +99,4 @@ def _number_of(elements, element):
         if candidate.isSame(element):
             return number
     kind = element.ShapeType.lower()
-    raise input_error(f"The {kind} is none of the shape's {kind}s.")
+    raise input_error(f"The {kind} is none of those of the shape.")

@@ -62,6 +62,6 @@ def imprint(shape, options=None, progress=None):
 
     def work(context):
         solids = chosen_solids(as_model(shape), options.solid)
-        return _sweepmesh.imprint(solids, options.picks(solids[0].n_faces), options.to_core(), context)
+        return _sweepmesh.imprint(solids, options.picks(solids[0]), options.to_core(), context)
 
     return Imprint.from_core(run(work, options.threads, progress))

@@ -194,9 +194,11 @@ class LeaningFace {
     const auto end = [&](const Polyline& l) { return is_last ? l.back() : l.front(); };
     const double low = height_.at(strip.low), high = height_.at(strip.high);
     Side out{{0.0, end(strip.line[0])}, {1.0, end(strip.line[1])}};
-    for (std::size_t j = 0; j < loop_.size(); ++j)
-      if (i_[j] == i && is_seen(j) && strip.low < level(j) && level(j) < strip.high)
-        out.emplace((height_.at(level(j)) - low) / (high - low), seen_start(j));
+    for (std::size_t j = 0; j < loop_.size(); ++j) {
+      if (i_[j] != i || !is_seen(j) || level(j) <= strip.low || level(j) >= strip.high) continue;
+      const double share = (height_.at(level(j)) - low) / (high - low);
+      if (0.0 < share && share < 1.0) out.emplace(share, seen_start(j));
+    }
     return out;
   }
 

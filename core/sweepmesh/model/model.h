@@ -117,6 +117,7 @@ class Model {
 
   struct Impl;
   const Impl& impl() const { return *impl_; }  ///< for model/ itself
+  friend struct DividedModel divide(const Model& model, const std::vector<struct FaceCut>& cuts);
 
  private:
   explicit Model(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}

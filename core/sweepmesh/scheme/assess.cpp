@@ -130,12 +130,17 @@ int count(const Division& division, StateSet role) {
       std::count(division.choices.role.begin(), division.choices.role.end(), role));
 }
 
+std::size_t n_caps(const Scheme& scheme) {
+  return scheme.faces_with(FaceRole::source).size() + scheme.faces_with(FaceRole::target).size();
+}
+
+bool has_picked(const std::vector<Pick>& picks, StateSet role) {
+  return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
+}
+
 /// Caps that were not picked, where sources and targets were; else 0.
 int n_unasked_caps(const Division& division, const std::vector<Pick>& picks) {
-  const auto has_picked = [&](StateSet role) {
-    return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
-  };
-  if (!has_picked(kSourceStates) || !has_picked(kTargetStates)) return 0;
+  if (!has_picked(picks, kSourceStates) || !has_picked(picks, kTargetStates)) return 0;
   return count(division, kSourceStates) + count(division, kTargetStates) -
          static_cast<int>(picks.size());
 }
@@ -228,13 +233,10 @@ class Assessor {
     context_.report(0.2, "Looking for sources and targets.");
     const auto fixed = fixed_corners(problem_, picks_.types);
     const Network strict = make_network(problem_, strict_limits(), fixed);
-    if (auto found = try_with(strict, asked_)) {
-      if (chosen_.empty()) add_prismatic(*found, fixed);
-      return *found;
-    }
+    if (auto found = try_with(strict, asked_)) return with_more(*found, fixed);
     if (opposed_) return {{}, {*opposed_}};
     if (auto found = try_with(make_network(problem_, tangent_limits(), fixed), asked_))
-      return *found;
+      return with_more(*found, fixed);
     context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
     if (!chosen_.empty() || !fixed.empty())
@@ -261,19 +263,54 @@ class Assessor {
     return Assessment{ranked(model_, network, result.divisions, chosen_), {}};
   }
 
-  /// Offers straight sweeps, too, whatever their angles cost.
+  /// Schemes that the search by cost leaves out.
+  Assessment with_more(Assessment found, const std::vector<FixedCorner>& fixed) {
+    if (chosen_.empty())
+      add_prismatic(found, fixed);
+    else
+      prefer_picked(found, fixed);
+    return found;
+  }
+
+  /// Where sources and targets were picked: a scheme of just these caps comes first, even if it
+  /// takes tangent rims where others do not.
+  void prefer_picked(Assessment& found, const std::vector<FixedCorner>& fixed) {
+    if (!has_picked(chosen_, kSourceStates) || !has_picked(chosen_, kTargetStates)) return;
+    if (found.schemes.empty() || n_caps(found.schemes.front()) == chosen_.size()) return;
+    std::vector<Pick> exact = chosen_;
+    for (const ProblemFace& face : problem_.faces)
+      if (std::ranges::find(chosen_, face.id, &Pick::first) == chosen_.end())
+        exact.emplace_back(face.id, kLinkingStates);
+    const auto picked = try_with(make_network(problem_, tangent_limits(), fixed), exact);
+    if (picked)
+      found.schemes.insert(found.schemes.begin(), picked->schemes.begin(), picked->schemes.end());
+  }
+
+  /// Offers straight sweeps, too: in the order of cost where rounds and fillets are tangent to caps
+  /// at worst, else at the end, whatever their angles cost.
   void add_prismatic(Assessment& found, const std::vector<FixedCorner>& fixed) {
-    const Network lenient = make_network(problem_, lenient_limits(), fixed);
-    for (const Scheme& scheme :
-         ranked(model_, lenient, prismatic_divisions(lenient, context_), chosen_)) {
+    std::vector<Scheme>& schemes = found.schemes;
+    for (const Scheme& s : new_prismatic(tangent_limits(), fixed, schemes))
+      schemes.insert(std::ranges::upper_bound(schemes, s.cost, {}, &Scheme::cost), s);
+    for (const Scheme& s : new_prismatic(lenient_limits(), fixed, schemes))
+      if (s.cost >= schemes.back().cost) schemes.push_back(s);
+  }
+
+  std::vector<Scheme> new_prismatic(const AngleLimits& limits,
+                                    const std::vector<FixedCorner>& fixed,
+                                    const std::vector<Scheme>& known) {
+    const Network network = make_network(problem_, limits, fixed);
+    std::vector<Scheme> out =
+        ranked(model_, network, prismatic_divisions(network, context_), chosen_);
+    std::erase_if(out, [&](const Scheme& scheme) {
       const bool is_known = std::ranges::any_of(
-          found.schemes, [&](const Scheme& other) { return has_same_caps(scheme, other); });
+          known, [&](const Scheme& other) { return has_same_caps(scheme, other); });
       const bool is_asked = std::ranges::all_of(picks_.types, [&](const TypePick& pick) {
         return scheme.face_role[pick.face.index] == FaceRole::linking;
       });
-      if (!is_known && is_asked && scheme.cost >= found.schemes.back().cost)
-        found.schemes.push_back(scheme);
-    }
+      return is_known || !is_asked;
+    });
+    return out;
   }
 
   /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to

@@ -1,6 +1,7 @@
 """What is prescribed for single edges: in settings, in properties, in the mesh, and through saving."""
 import FreeCAD
 import numpy
+import Part
 import pytest
 
 from sweepmesh import app, engine
@@ -53,13 +54,15 @@ def test_properties_can_be_edited_by_hand(box, document):
 @pytest.mark.parametrize(
     "name, text",
     [("EdgeCounts", "Edge1"), ("EdgeCounts", "Face1=3"), ("EdgeCounts", "Edge1=1.5"), ("EdgeSizes", "Edge=2"),
-     ("EdgeBiases", "Edge1=1.2 all"), ("EdgeBiases", "Edge0=1.2")],
+     ("EdgeBiases", "Edge1=1.2 all"), ("EdgeBiases", "Edge0=1.2"), ("VertexTypes", "Face3=corner"),
+     ("VertexTypes", "Face3:Vertex7="), ("VertexTypes", "Face3:Edge7=end"), ("VertexTypes", "Face3:Vertex1=round")],
 )
 def test_a_text_that_says_nothing_is_told(box, document, name, text):
     sweep = app.make_sweep_mesh(box, size=1.0, **FIXED)
     setattr(sweep, name, [text])
     document.recompute()
-    assert not sweep.isValid() and text in sweep.Message and name in sweep.Message
+    assert not sweep.isValid() and text.partition("=")[2] in sweep.Message
+    assert (text in sweep.Message and name in sweep.Message) or "vertex type" in sweep.Message
     assert sweep.FemMesh.HexaCount == 80
 
 
@@ -81,6 +84,7 @@ SETTINGS = {
     "edge_count": {1: 7},
     "edge_size": {2: 1 / 3, 4: 0.7},
     "edge_bias": {1: (1.1, True), 3: (1 / 1.3, False)},
+    "vertex_types": {(1, 1): "end", (3, 2): "end"},
     "sweep_bias": (1.2, True),
     "imprint_tolerance": 0.125,
 }
@@ -110,7 +114,9 @@ def test_undo_takes_them_back(box, document):
 
 def test_they_can_be_taken_away(box):
     sweep = app.make_sweep_mesh(box, size=1.0, **SETTINGS)
-    app.update_sweep_mesh(sweep, edge_count={}, edge_size={}, edge_bias=None, sweep_bias=None, imprint_tolerance=None)
+    app.update_sweep_mesh(
+        sweep, edge_count={}, edge_size={}, edge_bias=None, vertex_types={}, sweep_bias=None, imprint_tolerance=None
+    )
     options, plain = options_of(sweep), engine.Options()
     assert all(getattr(options, name) == getattr(plain, name) for name in SETTINGS)
 
@@ -118,3 +124,22 @@ def test_they_can_be_taken_away(box):
 @pytest.mark.parametrize("name, values", [(name, SETTINGS[name]) for name in overrides.PROPERTIES])
 def test_texts_and_settings_are_the_same(name, values):
     assert overrides.from_texts(name, overrides.to_texts(values)) == values
+
+
+def stairs(document):
+    """A solid with one inner corner along y, at (10, y, 6)."""
+    corners = [(0, 0, 0), (20, 0, 0), (20, 0, 6), (10, 0, 6), (10, 0, 14), (0, 0, 14), (0, 0, 0)]
+    obj = document.addObject("Part::Feature", "Stairs")
+    obj.Shape = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 8, 0))
+    return obj
+
+
+def test_a_vertex_type_changes_how_the_solid_is_swept(document):
+    obj = stairs(document)
+    front = next(i for i, face in enumerate(obj.Shape.Faces, 1) if face.normalAt(0, 0).y < -0.9)
+    inner = next(i for i, v in enumerate(obj.Shape.Vertexes, 1) if v.Point.isEqual(FreeCAD.Vector(10, 0, 6), 1e-6))
+    types = {(f, v): kind for f, v, kind in app.plan(obj, size=2.0).details.corners}
+    assert (f"Face{front}", f"Vertex{inner}") not in types, "the front is a cap where nothing is prescribed"
+    sweep = app.make_sweep_mesh(obj, size=2.0, vertex_types={(f"Face{front}", f"Vertex{inner}"): "corner"})
+    assert sweep.isValid() and sweep.VertexTypes == [f"Face{front}:Vertex{inner}=corner"]
+    assert sweep.Roles[f"Face{front}"] == "linking" and sweep.Hexahedra > 0

@@ -27,6 +27,7 @@ TABLE = (
             "Which solid of the shape is meshed; 0: all of them",
             (0, 0, 2**31 - 1, 1),
         ),
+        Property("App::PropertyStringList", "VertexTypes", "How linking faces turn at vertices: Face3:Vertex7=corner"),
         Property("App::PropertyLink", "Part", "The shape, under the name that older FreeCADs look for", mode=HIDDEN),
     ),
     *in_group(
