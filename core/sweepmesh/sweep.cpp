@@ -182,9 +182,9 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
             "Curves of different caps are brought together where they are nearer than " +
             std::to_string(std::lround(100 * fraction)) + " % of the element size.");
       return boundary;
-    } catch (const InvalidMeshError&) {
-      if (!first) first = std::current_exception();
-    } catch (const ImprintError& e) {
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
       if (!first) first = std::current_exception();
       if (e.entities().empty()) break;  // nothing that merging could change
     }
