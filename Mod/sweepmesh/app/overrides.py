@@ -7,6 +7,8 @@
     edge_bias={"Edge5": (1.2, True)}                  EdgeBiases     Edge5=1.2 both
     vertex_types={("Face3", "Vertex7"): "corner"}     VertexTypes    Face3:Vertex7=corner
 """
+from collections.abc import Mapping
+
 from sweepmesh.app.shapes import edge_number, face_number, vertex_number
 from sweepmesh.engine.errors import input_error
 
@@ -32,8 +34,14 @@ _VALUE = {"edge_count": int, "edge_size": float, "edge_bias": bias, "vertex_type
 
 
 def by_number(source, name, values):
-    """Return {5: 12} for {"Edge5": 12}; `name` is that of the setting, keys are what edge_number and so on take."""
-    numbered = {_key_number(source, name, key): _VALUE[name](value) for key, value in (values or {}).items()}
+    """Return {5: 12} for {"Edge5": 12}; `name` is that of the setting, keys are what edge_number and so on take.
+
+    Vertex types may also be triples, [("Face3", "Vertex7", "corner")].
+    """
+    values = values or {}
+    if not isinstance(values, Mapping):
+        values = {(face, vertex): value for face, vertex, value in values}
+    numbered = {_key_number(source, name, key): _VALUE[name](value) for key, value in values.items()}
     return dict(sorted(numbered.items()))
 
 
