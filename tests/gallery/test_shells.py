@@ -96,23 +96,23 @@ OPEN = {
 }
 
 
-def caps(model_shape, outer, inner):
-    """Numbers of the faces that lie on the skin of the outer and of the inner body, with no others."""
-    on = {True: [], False: []}
-    for number, face in enumerate(model_shape.Faces, 1):
-        u0, u1, v0, v1 = face.ParameterRange
-        point = next(
-            face.valueAt(u, v)
-            for s in (0.43, 0.21, 0.87, 0.62, 0.05)
-            for t in (0.41, 0.77, 0.13, 0.95)
-            for u, v in [(u0 + s * (u1 - u0), v0 + t * (v1 - v0))]
-            if face.isPartOfDomain(u, v)
-        )
-        vertex = Part.Vertex(point)
-        near = [min(f.distToShape(vertex)[0] for f in body.Faces) < 1e-5 for body in (outer, inner)]
-        if near[0] != near[1]:
-            on[near[0]].append(number)
-    return on[True], on[False]
+def lies_on(body, point):
+    vertex = Part.Vertex(point)
+    return min(face.distToShape(vertex)[0] for face in body.Faces) < 1e-5
+
+
+def caps(shape, outer, inner):
+    """Numbers of the faces with all their edges on the skin of one body; flat ends of open shells are none."""
+    sources, targets = [], []
+    for number, face in enumerate(shape.Faces, 1):
+        if len(shape.Shells) == 1 and isinstance(face.Surface, Part.Plane):
+            continue
+        points = [edge.valueAt(0.3 * edge.FirstParameter + 0.7 * edge.LastParameter) for edge in face.Edges]
+        on_outer = all(lies_on(outer, point) for point in points)
+        on_inner = all(lies_on(inner, point) for point in points)
+        if on_outer != on_inner:
+            (sources if on_outer else targets).append(number)
+    return sources, targets
 
 
 def swept(outer, inner, tmp_path, **options):
