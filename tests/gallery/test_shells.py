@@ -87,10 +87,10 @@ OPEN = {
     "elbow": (bent_rod(14), bent_rod(9), 0.7),
     "tee": (tee(20, 12), tee(14, 7), 0.25),
     "flask": (flask(30, 10), flask(24, 6), 0.4),
-    "flask_with_neck_across_poles": (flask(30, 10, at(1)), flask(24, 6, at(1)), 0.25),
+    "flask_with_neck_across_poles": (flask(30, 10, at(-0.8, 0.6)), flask(24, 6, at(-0.8, 0.6)), 0.25),
     "ball_with_bore_across_poles": (
-        Part.makeSphere(24).cut(rod(8, 30, at(), at(1))),
-        Part.makeSphere(14).fuse(rod(8, 30, at(), at(1))),
+        Part.makeSphere(24).cut(rod(8, 30, at(), at(-0.8, 0.6))),
+        Part.makeSphere(14).fuse(rod(8, 30, at(), at(-0.8, 0.6))),
         0.25,
     ),
 }
