@@ -57,6 +57,9 @@ void check_options(const SweepOptions& options) {
     refuse("The element size must be a positive number.");
   if (options.layers && *options.layers < 1) refuse("The number of layers must be at least 1.");
   if (options.order != 1 && options.order != 2) refuse("The element order must be 1 or 2.");
+  if (options.imprint_tolerance &&
+      !(std::isfinite(*options.imprint_tolerance) && *options.imprint_tolerance >= 0))
+    refuse("The imprint tolerance must be a number that is not negative.");
   if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
   if (options.element == ElementKind::polyhedron)
     refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
@@ -70,12 +73,39 @@ void check_picks(const Picks& picks) {
     if (source == target) refuse(name_of(source) + " is paired with itself.", {name_of(source)});
 }
 
-IntervalOptions interval_options(const SweepOptions& options, double size) {
+namespace {
+
+/// What is said of edges of this solid; edges of other solids are left to those.
+template <class Wish>
+std::map<EdgeId, Wish> on_own_edges(const Model& model, const std::map<EdgeId, Wish>& wishes) {
+  const auto& edges = model.edges();
+  std::map<EdgeId, Wish> own;
+  for (const auto& [edge, wish] : wishes) {
+    if (edge.index < 0 || edge.index >= model.n_edges())
+      refuse("The shape has no " + name_of(edge) + ".", {name_of(edge)});
+    if (std::binary_search(edges.begin(), edges.end(), edge)) own.emplace(edge, wish);
+  }
+  return own;
+}
+
+}  // namespace
+
+IntervalOptions interval_options(const Model& model, const SweepOptions& options, double size) {
   IntervalOptions out;
   out.size = size;
   out.layers = options.layers;
+  out.edge_size = on_own_edges(model, options.edge_size);
+  out.edge_count = on_own_edges(model, options.edge_count);
+  out.edge_bias = on_own_edges(model, options.edge_bias);
+  out.sweep_bias = options.sweep_bias;
   out.quad_caps = options.element == ElementKind::hex;
   return out;
+}
+
+std::vector<double> merge_fractions(const SweepOptions& options, double size) {
+  if (options.imprint_tolerance) return {std::min(1.0, *options.imprint_tolerance / size)};
+  const double usual = ImprintOptions{}.merge_fraction;
+  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual};
 }
 
 namespace {
@@ -89,7 +119,7 @@ std::string in_millions(double count) {
 }  // namespace
 
 void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
-  IntervalOptions intervals = interval_options(options, size);
+  const IntervalOptions intervals = interval_options(model, options, size);
   double expected = expected_elements(model, intervals);
   if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
   if (expected <= static_cast<double>(options.max_elements)) return;
@@ -136,18 +166,18 @@ BoundaryMesh boundary_with_merging(const Model& model, const Scheme& scheme, dou
   });
 }
 
-/// Near curves are brought together within the usual distance, or, where curves then get into each
+/// Near curves are brought together within the first distance, or, where curves then get into each
 /// other's way or cells have no room on a cap, within another one. If none will do, the first error
 /// counts.
 BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
-                              const IntervalOptions& options, CellKind kind, StageClock& clock,
+                              const IntervalOptions& options, CellKind kind,
+                              const std::vector<double>& fractions, StageClock& clock,
                               Context& context, SweepResult& result) {
-  const double usual = ImprintOptions{}.merge_fraction;
   std::exception_ptr first;
-  for (const double fraction : {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual}) try {
+  for (const double fraction : fractions) try {
       BoundaryMesh boundary =
           boundary_with_merging(model, scheme, fraction, options, kind, clock, context, result);
-      if (fraction != usual)
+      if (fraction != fractions.front())
         result.warnings.push_back(
             "Curves of different caps are brought together where they are nearer than " +
             std::to_string(std::lround(100 * fraction)) + " % of the element size.");
@@ -177,11 +207,13 @@ BoundaryMesh boundary_of_shell(const Model& model, const Scheme& scheme,
 }
 
 BoundaryMesh boundary_of(const Model& model, const Scheme& scheme, const IntervalOptions& options,
-                         CellKind kind, StageClock& clock, Context& context, SweepResult& result) {
-  const auto make = is_shell_like(model, scheme) ? boundary_of_shell
-                    : is_one_to_one(scheme)      ? boundary_of_one
-                                                 : boundary_of_many;
-  return make(model, scheme, options, kind, clock, context, result);
+                         CellKind kind, const std::vector<double>& merge_fractions,
+                         StageClock& clock, Context& context, SweepResult& result) {
+  if (is_shell_like(model, scheme))
+    return boundary_of_shell(model, scheme, options, kind, clock, context, result);
+  if (is_one_to_one(scheme))
+    return boundary_of_one(model, scheme, options, kind, clock, context, result);
+  return boundary_of_many(model, scheme, options, kind, merge_fractions, clock, context, result);
 }
 
 /// Edges whose inner nodes all were passed over have no mesh edges: seams of caps.
@@ -204,10 +236,11 @@ VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
 /// Meshes one scheme into result.mesh and result.intervals; throws the stages' errors.
 void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                  StageClock& clock, Context& context, SweepResult& result) {
-  const IntervalOptions intervals = interval_options(options, result.size);
+  const IntervalOptions intervals = interval_options(model, options, result.size);
   const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
   const BoundaryMesh boundary =
-      boundary_of(model, scheme, intervals, kind, clock, context, result);
+      boundary_of(model, scheme, intervals, kind, merge_fractions(options, result.size), clock,
+                  context, result);
   forget_unused_edges(boundary, result.intervals);
   context.report(0.6, "Placing interior nodes");
   result.mesh = clock.run("place", [&] {
@@ -238,16 +271,24 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are straight
+/// where the solid has such sweeps.
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
+
 /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
 /// warning tells of those before it. False: the solid turned out not to be sweepable, see the
 /// assessment. Throws the first scheme's error where all fail otherwise.
 bool mesh_first_possible(const Model& model, const SweepOptions& options, StageClock& clock,
                          Context& context, SweepResult& result) {
-  constexpr std::size_t n_tries = 4;
   auto& schemes = result.assessment.schemes;
   std::exception_ptr first_error;
   std::optional<InvalidMeshError> fold;
-  for (std::size_t s = 0; s < std::min(n_tries, schemes.size()); ++s) try {
+  for (const std::size_t s : tries(schemes.size())) try {
       mesh_scheme(model, schemes[s], options, clock, context, result);
       std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
       return true;

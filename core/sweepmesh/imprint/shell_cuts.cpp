@@ -246,7 +246,8 @@ class Cutter {
   /// A place whose two parameter lines meet no hole.
   std::optional<Point2> free_corner() const {
     constexpr int n = 16;
-    const Point2 u(periods_.x(), 0.0), v(0.0, periods_.y()), low = model_.uv_bounds(patch_.source).first;
+    const Point2 u(periods_.x(), 0.0), v(0.0, periods_.y()),
+        low = model_.uv_bounds(patch_.source).first;
     const auto is_free = [&](const Point2& from, const Point2& along) {
       return std::none_of(loops_.begin(), loops_.end(), [&](const LoopShape& l) {
         return meets(from, from + along, l.line, periods_);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/wishes.h"
 
 namespace sweepmesh {
@@ -55,10 +56,12 @@ class Builder {
 
   void add_unknowns() {
     const auto wishes = wished_counts(model_, options_);
+    const auto needs = area_counts(model_, options_, wishes);
     for (const EdgeId e : model_.edges()) {
       const bool is_closed = model_.start(e) == model_.end(e);
-      out_.edge[e.index] =
-          out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wishes[e.index], wishes[e.index]});
+      const double wish = std::max(wishes[e.index], needs[e.index]);
+      const double weight = wish * importance(options_, e);
+      out_.edge[e.index] = out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wish, weight});
     }
     for (const VertexId v : model_.vertices())
       out_.vertex[v.index] = out_.problem.add({-unbounded, unbounded, std::nullopt, 0.0});

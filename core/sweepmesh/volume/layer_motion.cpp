@@ -155,6 +155,7 @@ void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlo
     block.blend.push_back(
         {(1 - s) * maps[k].matrix, s * down.matrix, (1 - s) * maps[k].shift + s * down.shift});
   }
+  block.up = std::move(maps);
 }
 
 void find_blocks(const Extrusion& x, LayerMotion& motion) {
@@ -175,25 +176,37 @@ void find_blocks(const Extrusion& x, LayerMotion& motion) {
     const int root = sets.find(c);
     if (root == c) {
       motion.cell_block[c] = static_cast<int>(motion.blocks.size());
-      motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, false});
+      motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, {}, false});
     } else {
       motion.cell_block[c] = motion.cell_block[root];
     }
   }
 }
 
+/// Most columns have one block; pairs of the others are sorted.
 void list_blocks_of_columns(const Extrusion& x, LayerMotion& motion) {
-  std::vector<std::vector<int>> blocks(x.n_columns());
+  std::vector<int> first(x.n_columns(), -1);
+  std::vector<std::pair<int, int>> more;  // column, block
   for (int c = 0; c < x.n_cells(); ++c)
     for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      std::vector<int>& list = blocks[x.cell_columns[i]];
-      const int b = motion.cell_block[c];
-      if (std::find(list.begin(), list.end(), b) == list.end()) list.push_back(b);
+      int& own = first[x.cell_columns[i]];
+      if (own < 0) own = motion.cell_block[c];
+      if (own != motion.cell_block[c]) more.emplace_back(x.cell_columns[i], motion.cell_block[c]);
     }
+  for (std::size_t i = 0, n = more.size(); i < n; ++i)
+    more.emplace_back(more[i].first, first[more[i].first]);
+  std::sort(more.begin(), more.end());
+  more.erase(std::unique(more.begin(), more.end()), more.end());
   motion.column_offset.assign(1, 0);
-  for (std::vector<int>& list : blocks) {
-    std::sort(list.begin(), list.end());
-    motion.column_blocks.insert(motion.column_blocks.end(), list.begin(), list.end());
+  motion.column_offset.reserve(x.n_columns() + 1);
+  auto next = more.begin();
+  for (int column = 0; column < x.n_columns(); ++column) {
+    if (next == more.end() || next->first != column) {
+      if (first[column] >= 0) motion.column_blocks.push_back(first[column]);
+    } else {
+      for (; next != more.end() && next->first == column; ++next)
+        motion.column_blocks.push_back(next->second);
+    }
     motion.column_offset.push_back(static_cast<int>(motion.column_blocks.size()));
   }
 }
