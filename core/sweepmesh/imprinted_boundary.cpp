@@ -43,6 +43,7 @@ class BoundaryMesher {
     space_by_levels(model_, scheme_, counts_.intervals, options_, nodes);
     edges_ = mesh_edges(model_, counts_.intervals, nodes, out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);
+    if (!options_.sweep_bias) space_by_levels(model_, scheme_, options_.size, out_.surface);
     base_ = mesh_base(model_, imprint_, counts_.edge, options_.size, kind_, context_);
     find_base_nodes();
     make_columns();

@@ -1,4 +1,4 @@
-// Where the layers cross an axial edge that passes other caps on its way.
+// Where the layers cross axial edges and linking faces that pass other caps on their way.
 //
 //        |  o-----  cap at k = 3      Evenly spaced, layer 3 would cross the edge on the left wherever
 //        |  |                         a third of its length is, and the cells between it and the cap's
@@ -15,6 +15,7 @@
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/scheme/scheme.h"
+#include "sweepmesh/surface/surface_mesh.h"
 
 namespace sweepmesh {
 
@@ -24,5 +25,10 @@ namespace sweepmesh {
 /// Cost: pairs of axial and transverse edges.
 void space_by_levels(const Model& model, const Scheme& scheme, const Intervals& intervals,
                      const IntervalOptions& options, EdgeNodes& nodes);
+
+/// The same for the nodes inside linking faces, column by column, along the lines that they form;
+/// they stay on their faces. A face whose worst quad would become worse, and poor, is left as it is.
+/// Cost: nodes of linking faces times nodes of transverse edges of their layer.
+void space_by_levels(const Model& model, const Scheme& scheme, double size, SurfaceMesh& mesh);
 
 }  // namespace sweepmesh
