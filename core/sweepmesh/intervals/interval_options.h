@@ -35,7 +35,9 @@ struct IntervalOptions {
   /// default gives a full circle ten edges, whose polygon has 94 % of its area.
   double max_turn = 0.65;
   bool quad_caps = true;             ///< caps are meshed by quads: their boundaries need even sums
-  double time_limit_seconds = 10.0;  ///< of the integer solver, for each independent part
+  /// Seconds for the integer solver, for each independent part, > 0; empty: only its work is
+  /// limited, so the counts do not depend on the machine.
+  std::optional<double> time_limit_seconds = {};
 };
 
 }  // namespace sweepmesh
