@@ -250,7 +250,7 @@ void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& o
     return mesh;
   });
   if (!result.intervals.is_optimal)
-    result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
+    result.warnings.push_back("The interval solver reached its limit; its best solution is used.");
 }
 
 std::string caps_of(const Scheme& scheme) {
