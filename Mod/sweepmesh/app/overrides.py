@@ -38,10 +38,7 @@ def by_number(source, name, values):
 
     Vertex types may also be triples, [("Face3", "Vertex7", "corner")].
     """
-    values = values or {}
-    if not isinstance(values, Mapping):
-        values = {(face, vertex): value for face, vertex, value in values}
-    numbered = {_key_number(source, name, key): _VALUE[name](value) for key, value in values.items()}
+    numbered = {_key_number(source, name, key): _VALUE[name](value) for key, value in _mapping(values).items()}
     return dict(sorted(numbered.items()))
 
 
@@ -51,13 +48,19 @@ def by_name(name, values):
 
 
 def to_texts(values):
-    """Return the texts for {5: 12} or {"Edge5": 12}."""
-    return [f"{_key_text(key)}={_text(value)}" for key, value in values.items()]
+    """Return the texts for {5: 12} or {"Edge5": 12}, or for triples of vertex types."""
+    return [f"{_key_text(key)}={_text(value)}" for key, value in _mapping(values).items()]
 
 
 def from_texts(name, texts):
     """Return {5: 12} for ["Edge5=12"]; an InputError for a text that says nothing of the kind."""
     return dict(sorted(_from_text(name, text) for text in texts))
+
+
+def _mapping(values):
+    if isinstance(values, Mapping):
+        return values
+    return {(face, vertex): value for face, vertex, value in values or ()}
 
 
 def _key_number(source, name, key):
