@@ -183,9 +183,9 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
             "Curves of different caps are brought together where they are nearer than " +
             std::to_string(std::lround(100 * fraction)) + " % of the element size.");
       return boundary;
-    } catch (const InvalidMeshError&) {
-      if (!first) first = std::current_exception();
-    } catch (const ImprintError& e) {
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
       if (!first) first = std::current_exception();
       if (e.entities().empty()) break;  // nothing that merging could change
     }
@@ -250,7 +250,7 @@ void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& o
     return mesh;
   });
   if (!result.intervals.is_optimal)
-    result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
+    result.warnings.push_back("The interval solver reached its limit; its best solution is used.");
 }
 
 std::string caps_of(const Scheme& scheme) {

@@ -232,7 +232,7 @@ class CapDivider {
         points.push_back(samples[i].point);
       }
     }
-    const auto images = carried_inside(outline_, points, spacing_, Carrying::smooth, context_);
+    const auto images = carried_smoothly(outline_, points, spacing_, context_);
     for (const auto& [v, i] : at_vertex) {
       in_chart_[v] = images[i];
       place_of_vertex_.emplace(v, in_space(images[i]));

@@ -96,11 +96,12 @@ class SlabWalker {
     });
     MeanValueField field(seen_.coincidence);
     for (const OutlinePart& part : parts) field.add(part.from, part.to);
+    const std::set<FaceId> free_faces = free_leaning_faces(level, level == high);
     std::vector<ReferenceCurve*> curves;
     for (ReferenceCurve& c : out_.curves)
       if (walls_.level[c.edge.index] == level) {
         refine(parts, c);
-        lean_halfway(level, level == high, c);
+        lean_halfway(free_faces, level, level == high, c);
         curves.push_back(&c);
       }
     move(low, high, level, parts, field, curves);
@@ -126,22 +127,46 @@ class SlabWalker {
     c = std::move(fine);
   }
 
-  /// An edge where a leaning linking face begins, and none ends, is taken where the face is halfway
-  /// to its other end, for the same reason as base_height(). Not on a face with steps, which goes
-  /// on beside the edge.
-  void lean_halfway(int level, bool upwards, ReferenceCurve& c) const {
+  /// Leaning linking faces that begin at a level (going away from the base) with nothing else
+  /// beside them there: no face ends at their edges, and whatever meets these is of such a face
+  /// too.
+  std::set<FaceId> free_leaning_faces(int level, bool upwards) const {
+    const auto& begins = upwards ? walls_.above : walls_.below;
+    const auto& ends = upwards ? walls_.below : walls_.above;
+    std::set<FaceId> out, tied;
+    for (const Panel& p : panels_) {
+      if ((upwards ? p.low : p.high) == level && !is_upright_[p.face.index]) out.insert(p.face);
+      if ((upwards ? p.high : p.low) == level) tied.insert(p.face);
+    }
+    std::map<VertexId, std::set<FaceId>> at;  // invalid ids stand for what is no such face
+    for (const ReferenceCurve& c : out_.curves) {
+      if (walls_.level[c.edge.index] != level) continue;
+      const FaceId f = ends[c.edge.index].is_valid() ? FaceId{} : begins[c.edge.index];
+      if (!f.is_valid()) tied.insert(begins[c.edge.index]);
+      for (const VertexId v : {model_.start(c.edge), model_.end(c.edge)}) at[v].insert(f);
+    }
+    for (const FaceId f : tied) out.erase(f);
+    for (bool changes = true; changes;) {
+      changes = false;
+      for (const auto& [v, faces] : at) {
+        if (std::ranges::all_of(faces, [&](FaceId f) { return out.contains(f); })) continue;
+        for (const FaceId f : faces) changes |= out.erase(f) > 0;
+      }
+    }
+    return out;
+  }
+
+  /// An edge of such a face is taken where the face is halfway to its other end, for the same
+  /// reason as base_height().
+  void lean_halfway(const std::set<FaceId>& free_faces, int level, bool upwards,
+                    ReferenceCurve& c) const {
     const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
-    const auto& ending = upwards ? walls_.below : walls_.above;
-    if (!f.is_valid() || is_upright_[f.index]) return;
-    for (const EdgeId e : (upwards ? walls_.bottoms : walls_.tops)[f.index])
-      if (walls_.level[e.index] == level && ending[e.index].is_valid()) return;
+    if (!free_faces.contains(f)) return;
     const Point2 middle = at_arc(c.points, length(c.points) / 2).point;
     const Panel* panel = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const Panel& p : panels_) {
-      if (p.face != f) continue;
-      if ((upwards ? p.high : p.low) == level) return;
-      if ((upwards ? p.low : p.high) != level) continue;
+      if (p.face != f || (upwards ? p.low : p.high) != level) continue;
       const double distance = nearest(seen_at(p, level), middle).distance;
       if (distance >= least) continue;
       least = distance;
@@ -233,8 +258,8 @@ class SlabWalker {
                            i < n ? seen_at_height(panels_[p], there) : in_r_[p]};
       });
       if (largest_move(parts) > seen_.coincidence)
-        points = carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_,
-                                Carrying::even, context_);
+        points =
+            carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_, context_);
     }
     return points;
   }

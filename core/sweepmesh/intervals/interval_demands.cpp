@@ -163,10 +163,16 @@ class Builder {
     const bool a_is_low = std::count(directions.begin(), directions.end(), Direction::plus_i) > 0;
     const auto& low = model_.loops(f)[a_is_low ? a : b].front();
     const auto& high = model_.loops(f)[a_is_low ? b : a].front();
-    const double apart = (model_.point(low.start) - model_.point(high.start)).norm();
-    const int rise = add_rise(apart);
+    const int rise = add_rise(distance(model_.loops(f)[a_is_low ? b : a], model_.point(low.start)));
     demand(Kind::equality, {{rise, 1.0}, {level(high.start), -1.0}, {level(low.start), 1.0}}, 0.0,
            {name_of(f)}, name_of(f) + " must rise from one layer to another");
+  }
+
+  double distance(const Loop& loop, const Point3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Coedge& c : loop)
+      if (c.edge.is_valid()) least = std::min(least, model_.distance(c.edge, p));
+    return least;
   }
 
   /// Caps that no linking face connects (a shell between two closed surfaces): a source lies above
