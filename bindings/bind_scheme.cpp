@@ -31,7 +31,8 @@ void bind_scheme(py::module_& module) {
       .value("none", FaceRole::none)
       .value("source", FaceRole::source)
       .value("target", FaceRole::target)
-      .value("linking", FaceRole::linking);
+      .value("linking", FaceRole::linking)
+      .value("divided", FaceRole::divided);
   py::enum_<ReasonKind>(module, "ReasonKind")
       .value("topological", ReasonKind::topological)
       .value("geometric", ReasonKind::geometric)

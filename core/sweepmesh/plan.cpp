@@ -1,5 +1,6 @@
 #include "sweepmesh/plan.h"
 
+#include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
 #include "sweepmesh/imprint/shell_counts.h"
@@ -15,7 +16,23 @@ std::vector<CornerType> corners_of(const Model& model, const Scheme& scheme) {
     const auto& types = scheme.face[face.index].type;
     for (std::size_t l = 0; l < loops.size(); ++l)
       for (std::size_t c = 0; c < loops[l].size(); ++c)
-        out.push_back({face, loops[l][c].end, types[l][c]});
+        out.push_back({face, loops[l][c].end, types[l][c], model.point(loops[l][c].end)});
+  }
+  return out;
+}
+
+std::vector<EdgeDirection> directions_of(const Model& model, const Scheme& scheme,
+                                         const Intervals& intervals) {
+  std::vector<EdgeDirection> out;
+  for (const FaceId face : scheme.faces_with(FaceRole::linking)) {
+    const auto& loops = model.loops(face);
+    const auto& direction = scheme.face[face.index].direction;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0; i < loops[l].size(); ++i) {
+        const Coedge& c = loops[l][i];
+        out.push_back({face, c.edge, direction[l][i], c.reversed, model.point(c.start),
+                       model.point(c.end), intervals.edge[c.edge.index]});
+      }
   }
   return out;
 }
@@ -56,15 +73,10 @@ void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fract
 
 }  // namespace
 
-SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions& options,
-                     Context& context) {
-  check_options(options);
-  check_picks(picks);
-  SweepPlan plan;
-  plan.size = options.size.value_or(default_size(model));
-  refuse_explosion(model, options, plan.size);
-  plan.assessment = assess(model, picks, context);
-  if (!plan.assessment.is_sweepable()) return plan;
+namespace {
+
+/// Of the best scheme of plan.assessment.
+void fill(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
   const Scheme& scheme = plan.assessment.schemes.front();
   plan.corners = corners_of(model, scheme);
   const IntervalOptions intervals = interval_options(model, options, plan.size);
@@ -75,6 +87,28 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   else
     plan_imprinted(model, scheme, merge_fractions(options, plan.size).front(), intervals, context,
                    plan);
+  plan.directions = directions_of(model, scheme, plan.intervals);
+}
+
+}  // namespace
+
+SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions& options,
+                     Context& context) {
+  check_options(options);
+  check_picks(picks);
+  SweepPlan plan;
+  plan.size = options.size.value_or(default_size(model));
+  refuse_explosion(model, options, plan.size);
+  plan.assessment = assess(model, picks, context);
+  if (plan.assessment.is_sweepable()) {
+    fill(model, options, context, plan);
+  } else if (may_be_divided(plan.assessment)) {
+    const auto divided = divide_to_sweep(model, picks, options, context);
+    if (!divided) return plan;
+    plan.assessment = divided->assessment;
+    fill(divided->parts.model, divided->options, context, plan);
+    return of_whole(model, divided->parts, plan);
+  }
   return plan;
 }
 

@@ -78,10 +78,9 @@ class ShellMesher {
     add_linking_columns();
     nodes_.resize(shell_.edges.size());
     vertex_.resize(shell_.n_vertices);
+    for (std::size_t e = 0; e < shell_.edges.size(); ++e) add_cad_edge(e);
     for (std::size_t e = 0; e < shell_.edges.size(); ++e)
-      if (shell_.edges[e].high.edge.is_valid()) add_cad_edge(e);
-    for (std::size_t e = 0; e < shell_.edges.size(); ++e)
-      if (!shell_.edges[e].high.edge.is_valid()) add_cut(e);
+      for (const bool is_high : {true, false}) add_curve(e, is_high);
     for (const ShellPatch& p : shell_.patches) add_patch(p);
     drop_loose_nodes(out_);
     return std::move(out_);
@@ -132,8 +131,23 @@ class ShellMesher {
 
   void add_cad_edge(std::size_t e) {
     const ShellEdge& edge = shell_.edges[e];
+    const bool has_high = edge.high.edge.is_valid(), has_low = edge.low.edge.is_valid();
     BothSides& both = nodes_[e];
-    both = {cad_nodes(edge.high), cad_nodes(edge.low)};
+    if (has_high) both.high = cad_nodes(edge.high);
+    if (has_low) both.low = cad_nodes(edge.low);
+    if (has_high && has_low) tie(edge, both);
+    if (has_high) {
+      vertex_[edge.start].high = both.high.node.front();
+      vertex_[edge.end].high = both.high.node.back();
+    }
+    if (has_low) {
+      vertex_[edge.start].low = both.low.node.front();
+      vertex_[edge.end].low = both.low.node.back();
+    }
+  }
+
+  /// Turns a closed edge to its image, and makes sure that linking faces agree.
+  void tie(const ShellEdge& edge, BothSides& both) const {
     if (edge.start == edge.end) {
       const int by = turn_of(both);
       turn(both.low.node, by);
@@ -147,8 +161,6 @@ class ShellMesher {
                                    name_of(edge.high.edge) + " to " + name_of(edge.low.edge) + ".",
                                {name_of(edge.high.edge), name_of(edge.low.edge)}, {});
     }
-    vertex_[edge.start] = {both.high.node.front(), both.low.node.front()};
-    vertex_[edge.end] = {both.high.node.back(), both.low.node.back()};
   }
 
   int turn_of(const BothSides& both) const {
@@ -158,19 +170,19 @@ class ShellMesher {
     return nearest_turn(both.high.node, both.low.node, out_.surface);
   }
 
-  void add_cut(std::size_t e) {
+  /// The nodes of a curve inside a cap.
+  void add_curve(std::size_t e, bool is_high) {
     const ShellEdge& edge = shell_.edges[e];
-    for (const bool is_high : {true, false}) {
-      const ShellTrace& trace = is_high ? edge.high : edge.low;
-      SideNodes& side = is_high ? nodes_[e].high : nodes_[e].low;
-      const auto line = trace.uv.empty() ? straight_line(edge, trace.face, is_high) : trace.uv;
-      side.uv = even_on_face(model_, trace.face, line, counts_.edge[e]);
-      const std::size_t last = side.uv.size() - 1;
-      for (std::size_t i = 0; i <= last; ++i)
-        side.node.push_back(i == 0      ? end_node(edge.start, trace.face, side.uv[i], is_high)
-                            : i == last ? end_node(edge.end, trace.face, side.uv[i], is_high)
-                                        : new_node(trace.face, side.uv[i]));
-    }
+    const ShellTrace& trace = is_high ? edge.high : edge.low;
+    if (trace.edge.is_valid()) return;
+    SideNodes& side = is_high ? nodes_[e].high : nodes_[e].low;
+    const auto line = trace.uv.empty() ? straight_line(edge, trace.face, is_high) : trace.uv;
+    side.uv = even_on_face(model_, trace.face, line, counts_.edge[e]);
+    const std::size_t last = side.uv.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i)
+      side.node.push_back(i == 0      ? end_node(edge.start, trace.face, side.uv[i], is_high)
+                          : i == last ? end_node(edge.end, trace.face, side.uv[i], is_high)
+                                      : new_node(trace.face, side.uv[i]));
   }
 
   Point3 point_on(FaceId face, const Point2& uv) const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sweepmesh/boundary.h"
+#include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprinted_boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
@@ -182,9 +183,9 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
             "Curves of different caps are brought together where they are nearer than " +
             std::to_string(std::lround(100 * fraction)) + " % of the element size.");
       return boundary;
-    } catch (const InvalidMeshError&) {
-      if (!first) first = std::current_exception();
-    } catch (const ImprintError& e) {
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
       if (!first) first = std::current_exception();
       if (e.entities().empty()) break;  // nothing that merging could change
     }
@@ -197,8 +198,8 @@ BoundaryMesh boundary_of_shell(const Model& model, const Scheme& scheme,
   context.report(0.05, "Matching sources and targets");
   const Shell shell = clock.run("imprint", [&] { return find_shell(model, scheme, context); });
   context.report(0.1, "Choosing intervals");
-  const ShellCounts counts = clock.run(
-      "intervals", [&] { return count_shell(model, scheme, shell, options, context); });
+  const ShellCounts counts =
+      clock.run("intervals", [&] { return count_shell(model, scheme, shell, options, context); });
   result.intervals = counts.intervals;
   context.report(0.2, "Meshing the surface");
   return clock.run("surface", [&] {
@@ -249,7 +250,7 @@ void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& o
     return mesh;
   });
   if (!result.intervals.is_optimal)
-    result.warnings.push_back("The interval solver ran out of time; its best solution is used.");
+    result.warnings.push_back("The interval solver reached its limit; its best solution is used.");
 }
 
 std::string caps_of(const Scheme& scheme) {
@@ -271,8 +272,20 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
-/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are straight
-/// where the solid has such sweeps.
+std::string division_warning(const Model& model, const Scheme& scheme) {
+  std::string faces;
+  for (const FaceId f : model.faces())
+    if (scheme.face_role[f.index] == FaceRole::divided)
+      faces += (faces.empty() ? "" : ", ") + name_of(f);
+  if (faces.empty()) return "The sweep turns in the middle of rounded edges.";
+  return "The sweep turns in the middle of rounded edges: partly source or target and partly "
+         "linking "
+         "is " +
+         faces + ".";
+}
+
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
+/// straight where the solid has such sweeps.
 std::vector<std::size_t> tries(std::size_t n) {
   std::vector<std::size_t> out;
   for (std::size_t s = 0; s < n; ++s)
@@ -307,6 +320,39 @@ bool mesh_first_possible(const Model& model, const SweepOptions& options, StageC
   return false;
 }
 
+/// Warnings of schemes that failed have the numbers of the divided solid, which nobody knows.
+bool names_parts(const std::string& warning) {
+  return warning.starts_with("The sweep from ");
+}
+
+/// Meshes the solid divided along its rounds, where that can be swept. False: the assessment stays
+/// that of the whole solid.
+bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& options,
+                  StageClock& clock, Context& context, SweepResult& result) {
+  if (!may_be_divided(result.assessment)) return false;
+  auto divided =
+      clock.run("assess", [&] { return divide_to_sweep(model, picks, options, context); });
+  if (!divided) return false;
+  const DividedModel& parts = divided->parts;
+  SweepResult part;
+  part.assessment = divided->assessment;
+  part.size = result.size;
+  try {
+    if (!mesh_first_possible(parts.model, divided->options, clock, context, part)) return false;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    return false;
+  }
+  result.assessment = of_whole(model, parts, part.assessment);
+  result.intervals = of_whole(model, parts, part.intervals);
+  result.mesh = of_whole(parts, std::move(part.mesh));
+  result.warnings.push_back(division_warning(model, result.assessment.schemes.front()));
+  std::erase_if(part.warnings, names_parts);
+  std::ranges::move(part.warnings, std::back_inserter(result.warnings));
+  return true;
+}
+
 }  // namespace
 
 double default_size(const Model& model) {
@@ -325,8 +371,10 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.0, "Looking for sources and targets");
   result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
-  if (!result.assessment.is_sweepable()) return result;
-  if (!mesh_first_possible(model, options, clock, context, result)) return result;
+  const bool is_meshed = result.assessment.is_sweepable()
+                             ? mesh_first_possible(model, options, clock, context, result)
+                             : mesh_divided(model, picks, options, clock, context, result);
+  if (!is_meshed) return result;
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });

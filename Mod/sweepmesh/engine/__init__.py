@@ -11,7 +11,7 @@ from sweepmesh.engine.errors import (
 from sweepmesh.engine.imprints import Imprint, imprint
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
-from sweepmesh.engine.plans import SweepPlan, plan
+from sweepmesh.engine.plans import EdgeDirection, SweepPlan, VirtualCorner, plan
 from sweepmesh.engine.progress import Progress
 from sweepmesh.engine.results import Assessment, Reason, Result
 from sweepmesh.engine.stages import assess, mesh
@@ -19,6 +19,7 @@ from sweepmesh.engine.stages import assess, mesh
 __all__ = [
     "Assessment",
     "Cancelled",
+    "EdgeDirection",
     "Imprint",
     "InputError",
     "InvalidMeshError",
@@ -30,6 +31,7 @@ __all__ = [
     "SolverError",
     "SweepMeshError",
     "SweepPlan",
+    "VirtualCorner",
     "__version__",
     "assess",
     "face_at",

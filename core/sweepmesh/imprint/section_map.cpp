@@ -14,16 +14,25 @@
 namespace sweepmesh {
 namespace {
 
-/// Points along a loop at most `spacing` apart, the first not repeated.
+/// Points along a loop at most `spacing` apart, the first not repeated, and no two so near to each
+/// other, here or in R, that a triangle between them is nothing but rounding.
 OutlinePart refined(const OutlinePart& loop, double spacing) {
+  constexpr double least_share = 1e-4;  // of the spacing
+  const double least = least_share * spacing;
   OutlinePart out;
+  const auto is_free = [&](const Point2& from, const Point2& to, std::size_t i) {
+    return (from - out.from[i]).norm() > least && (to - out.to[i]).norm() > least;
+  };
   for (const PolylinePoint& p : resampled(loop.from, spacing)) {
-    if (!out.from.empty() && p.point == out.from.back()) continue;
+    const Point2 to = at_position(loop.to, p.position).point;
+    if (!out.from.empty() && !is_free(p.point, to, out.from.size() - 1)) continue;
     out.from.push_back(p.point);
-    out.to.push_back(at_position(loop.to, p.position).point);
+    out.to.push_back(to);
   }
-  out.from.pop_back();
-  out.to.pop_back();
+  while (out.from.size() > 1 && !is_free(out.from.back(), out.to.back(), 0)) {
+    out.from.pop_back();
+    out.to.pop_back();
+  }
   return out;
 }
 

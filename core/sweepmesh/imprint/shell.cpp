@@ -5,6 +5,7 @@
 
 #include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/imprint/reference.h"
+#include "sweepmesh/imprint/shell_carried.h"
 #include "sweepmesh/imprint/shell_cuts.h"
 #include "sweepmesh/imprint/sweep_levels.h"
 #include "sweepmesh/surface/cap_boundary.h"
@@ -82,14 +83,16 @@ bool is_shell_like(const Model& model, const Scheme& scheme) {
 Shell find_shell(const Model& model, const Scheme& scheme, const Context& context) {
   context.check("imprint");
   const auto match = match_caps(model, scheme);
-  if (!match)
+  if (!match) {
+    if (auto carried = carried_shell(model, scheme)) return std::move(*carried);
     throw ImprintError(ImprintFailure::unreachable,
                        "The columns of the sweep do not run along one direction, and its sources "
                        "are not divided into faces as its targets are.",
                        caps_of(scheme));
+  }
   Shell shell = Builder(model, *match).build();
   const int n = static_cast<int>(shell.patches.size());
-  for (int p = 0; p < n; ++p) cut_patch(model, p, shell);
+  for (int p = 0; p < n; ++p) cut_patch(model, false, p, shell);
   return shell;
 }
 

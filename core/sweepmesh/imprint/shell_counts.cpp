@@ -67,17 +67,20 @@ class Demands {
   }
 
   void add_edge(const ShellEdge& e) {
-    if (!e.high.edge.is_valid()) {
-      const double wish = std::max(
-          1.0, std::sqrt(length_of(e, e.high) * length_of(e, e.low)) / options_.size);
-      edge_.push_back(out_.problem.add({e.start == e.end ? 4.0 : 1.0, unbounded, wish, wish}));
-      return;
-    }
-    const int high = out_.edge[e.high.edge.index], low = out_.edge[e.low.edge.index];
+    const int high = count_of(e, e.high), low = count_of(e, e.low);
     edge_.push_back(high);
-    const std::string names[] = {name_of(e.high.edge), name_of(e.low.edge)};
-    demand(Kind::equality, {{high, 1.0}, {low, -1.0}}, 0.0, {names[0], names[1]},
-           names[0] + " must have as many mesh edges as " + names[1] + ", its image");
+    std::vector<std::string> names;
+    for (const ShellTrace* t : {&e.high, &e.low})
+      names.push_back(t->edge.is_valid() ? name_of(t->edge) : name_of(t->face));
+    demand(Kind::equality, {{high, 1.0}, {low, -1.0}}, 0.0, names,
+           names[0] + " must have as many mesh edges as its image on " + names[1]);
+  }
+
+  /// The unknown of a CAD edge, or a new one for a curve inside a cap.
+  int count_of(const ShellEdge& e, const ShellTrace& trace) {
+    if (trace.edge.is_valid()) return out_.edge[trace.edge.index];
+    const double wish = std::max(1.0, length_of(e, trace) / options_.size);
+    return out_.problem.add({e.start == e.end ? 4.0 : 1.0, unbounded, wish, wish});
   }
 
   double length_of(const ShellEdge& e, const ShellTrace& trace) const {

@@ -8,7 +8,6 @@
 
 #include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/imprint/shell_girdle.h"
-#include "sweepmesh/surface/cap_boundary.h"
 #include "sweepmesh/surface/cap_periods.h"
 #include "sweepmesh/surface/planar_mesh.h"
 
@@ -18,29 +17,10 @@ namespace {
 /// A loop of a cap in the parameter plane.
 struct LoopShape {
   UnwrappedLoop line;
-  std::vector<Point2> start;  ///< of its coedges, as in the patch's loop
+  std::vector<Point2> start;  ///< of its edges, as in the patch's loop
   double length = 0.0;        ///< in space
   Point3 middle = Point3::Zero();
 };
-
-LoopShape shape_of(const Model& model, const Loop& loop, const Point2& periods) {
-  constexpr int n_samples = 16;
-  LoopShape out;
-  std::vector<Point2> uv;
-  for (const Coedge& c : loop) {
-    const auto [first, last] = model.range(c.edge);
-    out.length += model.length(c.edge);
-    for (int i = 0; i < n_samples; ++i) {
-      const double f = static_cast<double>(i) / n_samples;
-      const double t = c.reversed ? last + (first - last) * f : first + (last - first) * f;
-      uv.push_back(model.uv(c, t));
-      out.middle += model.point(c.edge, t) / static_cast<double>(n_samples * loop.size());
-    }
-  }
-  out.line = unwrapped_loop(uv, periods);
-  for (std::size_t c = 0; c < loop.size(); ++c) out.start.push_back(out.line.uv[c * n_samples]);
-  return out;
-}
 
 bool has_pole(const Model& model, FaceId face) {
   for (const Loop& loop : model.loops(face))
@@ -70,18 +50,19 @@ bool meets(const Point2& a, const Point2& b, const UnwrappedLoop& loop, const Po
 
 class Cutter {
  public:
-  Cutter(const Model& model, int patch, Shell& shell)
+  Cutter(const Model& model, bool by_target, int patch, Shell& shell)
       : model_(model),
         shell_(shell),
         index_(patch),
         patch_(shell.patches[patch]),
-        periods_(closing_periods(model, patch_.source)) {
-    for (const Loop& loop : bounding_loops(model, patch_.source))
-      loops_.push_back(shape_of(model, loop, periods_));
+        by_target_(by_target),
+        face_(by_target ? patch_.target : patch_.source),
+        periods_(closing_periods(model, face_)) {
+    for (const auto& loop : patch_.loops) loops_.push_back(shape_of(loop));
   }
 
   void run() {
-    if (has_pole(model_, patch_.source)) {
+    if (has_pole(model_, face_)) {
       if (is_more_than_a_hemisphere()) cut_girdle();
     } else if (turning().sum() == 2) {
       cut_band();
@@ -100,6 +81,32 @@ class Cutter {
                        {name_of(patch_.source), name_of(patch_.target)});
   }
 
+  /// Along the CAD edges that bound the face.
+  LoopShape shape_of(const std::vector<DirectedEdge>& loop) const {
+    constexpr int n_samples = 16;
+    LoopShape out;
+    std::vector<Point2> uv;
+    for (const DirectedEdge& d : loop) {
+      const ShellEdge& edge = shell_.edges[d.edge];
+      const ShellTrace& trace = by_target_ ? edge.low : edge.high;
+      Coedge coedge;
+      for (const Coedge& c : model_.coedges(trace.edge))
+        if (c.face == face_) coedge = c;
+      const auto [first, last] = model_.range(trace.edge);
+      const bool is_back = d.reversed != trace.is_reversed;
+      out.length += model_.length(trace.edge);
+      for (int i = 0; i < n_samples; ++i) {
+        const double f = static_cast<double>(i) / n_samples;
+        const double t = is_back ? last + (first - last) * f : first + (last - first) * f;
+        uv.push_back(model_.uv(coedge, t));
+        out.middle += model_.point(trace.edge, t) / static_cast<double>(n_samples * loop.size());
+      }
+    }
+    out.line = unwrapped_loop(uv, periods_);
+    for (std::size_t c = 0; c < loop.size(); ++c) out.start.push_back(out.line.uv[c * n_samples]);
+    return out;
+  }
+
   Eigen::Vector2i turning() const {
     Eigen::Vector2i sum = Eigen::Vector2i::Zero();
     for (const LoopShape& l : loops_) sum += l.line.turns.cwiseAbs();
@@ -108,7 +115,9 @@ class Cutter {
 
   bool is_without_outer_loop() const {
     return std::none_of(loops_.begin(), loops_.end(),
-                        [](const LoopShape& l) { return signed_area(l.line.uv) > 0.0; });
+                        [&](const LoopShape& l) {
+                          return (signed_area(l.line.uv) > 0.0) != by_target_;
+                        });
   }
 
   /// A plane disc has 1 for this ratio of area and boundary, a hemisphere 2.
@@ -116,7 +125,7 @@ class Cutter {
     constexpr double most = 2.5;
     double length = 0.0;
     for (const LoopShape& l : loops_) length = std::max(length, l.length);
-    return 4.0 * std::numbers::pi * model_.area(patch_.source) > most * length * length;
+    return 4.0 * std::numbers::pi * model_.area(face_) > most * length * length;
   }
 
   int add_edge(int start, int end, std::vector<Point2> high, std::vector<Point2> low) {
@@ -158,15 +167,15 @@ class Cutter {
     double length = 0.0;
     for (int i = 0; i < n; ++i) {
       const Point2 a = from + (end - from) * i / n, b = from + (end - from) * (i + 1) / n;
-      length += (model_.point(patch_.source, nearest_period(a, middle, periods_)) -
-                 model_.point(patch_.source, nearest_period(b, middle, periods_)))
+      length += (model_.point(face_, nearest_period(a, middle, periods_)) -
+                 model_.point(face_, nearest_period(b, middle, periods_)))
                     .norm();
     }
     return length;
   }
 
   Point2 middle_of_bounds() const {
-    const auto [low, high] = model_.uv_bounds(patch_.source);
+    const auto [low, high] = model_.uv_bounds(face_);
     return 0.5 * (low + high);
   }
 
@@ -179,7 +188,12 @@ class Cutter {
     auto one = patch_.loops[first], other = patch_.loops[second];
     std::rotate(one.begin(), one.begin() + a, one.end());
     std::rotate(other.begin(), other.begin() + b, other.end());
-    const int cut = add_edge(start_of(one.front()), start_of(other.front()), {}, {});
+    const Point2 from = loops_[first].start[a];
+    const std::vector<Point2> line = {from,
+                                      nearest_period(loops_[second].start[b], from, periods_)};
+    const int cut = by_target_
+                        ? add_edge(start_of(one.front()), start_of(other.front()), {}, line)
+                        : add_edge(start_of(one.front()), start_of(other.front()), line, {});
     one.push_back({cut, false});
     one.insert(one.end(), other.begin(), other.end());
     one.push_back({cut, true});
@@ -232,7 +246,8 @@ class Cutter {
   /// A place whose two parameter lines meet no hole.
   std::optional<Point2> free_corner() const {
     constexpr int n = 16;
-    const Point2 u(periods_.x(), 0.0), v(0.0, periods_.y()), low = model_.uv_bounds(patch_.source).first;
+    const Point2 u(periods_.x(), 0.0), v(0.0, periods_.y()),
+        low = model_.uv_bounds(patch_.source).first;
     const auto is_free = [&](const Point2& from, const Point2& along) {
       return std::none_of(loops_.begin(), loops_.end(), [&](const LoopShape& l) {
         return meets(from, from + along, l.line, periods_);
@@ -262,14 +277,16 @@ class Cutter {
   Shell& shell_;
   const int index_;
   const ShellPatch patch_;
+  const bool by_target_;
+  const FaceId face_;  ///< whose shape decides
   const Point2 periods_;
   std::vector<LoopShape> loops_;  ///< as patch_.loops
 };
 
 }  // namespace
 
-void cut_patch(const Model& model, int patch, Shell& shell) {
-  Cutter(model, patch, shell).run();
+void cut_patch(const Model& model, bool by_target, int patch, Shell& shell) {
+  Cutter(model, by_target, patch, shell).run();
 }
 
 }  // namespace sweepmesh

@@ -8,12 +8,12 @@
 
 namespace sweepmesh {
 
-/// Points of a closed curve, the first not repeated. Seen from outside the solid at the source, what
-/// lies on the side of `normal` is on its left.
+/// Points of a closed curve, the first not repeated. Seen from outside the solid at the source,
+/// what lies on the side of `normal` is on its left.
 struct Girdle {
-  Point3 normal = Point3::Zero();          ///< of its plane
-  Point3 high_centre = Point3::Zero();     ///< about which the source lies
-  std::vector<Point2> high, low;           ///< parameters on the source and on the target
+  Point3 normal = Point3::Zero();       ///< of its plane
+  Point3 high_centre = Point3::Zero();  ///< about which the source lies
+  std::vector<Point2> high, low;        ///< parameters on the source and on the target
 };
 
 /// The girdle in the plane through the centres of both surfaces that stays farthest from the

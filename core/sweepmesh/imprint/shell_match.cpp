@@ -111,8 +111,7 @@ class Matcher {
         taken_(target_.uses.size(), false) {}
 
   std::optional<ShellMatch> match() {
-    if (source_.faces.size() != target_.faces.size() ||
-        source_.uses.size() != target_.uses.size())
+    if (source_.faces.size() != target_.faces.size() || source_.uses.size() != target_.uses.size())
       return std::nullopt;
     for (std::size_t u = 0; u < image_.size(); ++u)
       if (image_[u] == none && !match_part(static_cast<int>(u))) return std::nullopt;
@@ -219,8 +218,7 @@ class Matcher {
     for (std::size_t u = 0; u < image_.size(); ++u) {
       const Use &s = source_.uses[u], &t = target_.uses[image_[u]];
       if (s.other != none && s.other < static_cast<int>(u)) continue;
-      out.edges.push_back(
-          {s.coedge.edge, t.coedge.edge, s.coedge.reversed == t.coedge.reversed});
+      out.edges.push_back({s.coedge.edge, t.coedge.edge, s.coedge.reversed == t.coedge.reversed});
     }
     std::sort(out.edges.begin(), out.edges.end(),
               [](const EdgePair& a, const EdgePair& b) { return a.source < b.source; });
@@ -230,8 +228,8 @@ class Matcher {
   const Model& model_;
   Side source_, target_;
   std::map<VertexId, VertexId> feet_;
-  std::vector<int> image_;    ///< by source use
-  std::vector<char> taken_;   ///< by target use
+  std::vector<int> image_;   ///< by source use
+  std::vector<char> taken_;  ///< by target use
   std::map<FaceId, FaceId> face_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/wishes.h"
 
 namespace sweepmesh {
@@ -55,9 +56,11 @@ class Builder {
 
   void add_unknowns() {
     const auto wishes = wished_counts(model_, options_);
+    const auto needs = area_counts(model_, options_, wishes);
     for (const EdgeId e : model_.edges()) {
       const bool is_closed = model_.start(e) == model_.end(e);
-      const double wish = wishes[e.index], weight = wish * importance(options_, e);
+      const double wish = std::max(wishes[e.index], needs[e.index]);
+      const double weight = wish * importance(options_, e);
       out_.edge[e.index] = out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wish, weight});
     }
     for (const VertexId v : model_.vertices())
@@ -160,10 +163,16 @@ class Builder {
     const bool a_is_low = std::count(directions.begin(), directions.end(), Direction::plus_i) > 0;
     const auto& low = model_.loops(f)[a_is_low ? a : b].front();
     const auto& high = model_.loops(f)[a_is_low ? b : a].front();
-    const double apart = (model_.point(low.start) - model_.point(high.start)).norm();
-    const int rise = add_rise(apart);
+    const int rise = add_rise(distance(model_.loops(f)[a_is_low ? b : a], model_.point(low.start)));
     demand(Kind::equality, {{rise, 1.0}, {level(high.start), -1.0}, {level(low.start), 1.0}}, 0.0,
            {name_of(f)}, name_of(f) + " must rise from one layer to another");
+  }
+
+  double distance(const Loop& loop, const Point3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Coedge& c : loop)
+      if (c.edge.is_valid()) least = std::min(least, model_.distance(c.edge, p));
+    return least;
   }
 
   /// Caps that no linking face connects (a shell between two closed surfaces): a source lies above

@@ -50,13 +50,14 @@ std::vector<Edge> edges_to_split(const std::vector<Triangle>& triangles,
   };
   std::vector<Candidate> all;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
+    constexpr double most_share = 1.25;  // of the size, what a long boundary edge may ask for
     double least = size;
     std::vector<Candidate> inside;
     for (int i = 0; i < 3; ++i) {
       const Edge e = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
       const double length = (space[e.first] - space[e.second]).norm();
       if (boundary.contains(e))
-        least = std::max(least, length);
+        least = std::max(least, std::min(length, most_share * size));
       else
         inside.push_back({length, e, static_cast<int>(t)});
     }

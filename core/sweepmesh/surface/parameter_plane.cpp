@@ -27,6 +27,17 @@ UnwrappedLoop unwrapped(const std::vector<CapNode>& loop, const Point2& periods)
   return unwrapped_loop(uv, periods);
 }
 
+/// Whether a loop reaches all around without closing there: a band that is cut from rim to rim.
+bool is_cut_open(const CapLoops& loops, const Point2& periods) {
+  constexpr double whole = 0.99;  // of a period
+  return std::any_of(loops.begin(), loops.end(), [&](const auto& loop) {
+    const UnwrappedLoop u = unwrapped(loop, periods);
+    Point2 low = u.uv.front(), high = low;
+    for (const Point2& p : u.uv) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    return ((high - low).array() >= whole * periods.array() && periods.array() > 0.0).any();
+  });
+}
+
 /// Mean lengths of the two derivatives over a few points of the face's bounds.
 Point2 mean_lengths(const Model& model, FaceId face) {
   constexpr int n = 5;
@@ -108,6 +119,7 @@ bool ParameterPlane::find_axis(const CapLoops& loops, std::optional<int> outer) 
     }
   }
   if (turning.sum() == 0) {
+    if (is_cut_open(loops, periods_)) return false;
     if (pole) across_of_centre_ = along_v_ ? -*pole : *pole;
     return pole.has_value();
   }

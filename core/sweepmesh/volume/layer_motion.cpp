@@ -155,6 +155,7 @@ void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlo
     block.blend.push_back(
         {(1 - s) * maps[k].matrix, s * down.matrix, (1 - s) * maps[k].shift + s * down.shift});
   }
+  block.up = std::move(maps);
 }
 
 void find_blocks(const Extrusion& x, LayerMotion& motion) {
@@ -175,7 +176,7 @@ void find_blocks(const Extrusion& x, LayerMotion& motion) {
     const int root = sets.find(c);
     if (root == c) {
       motion.cell_block[c] = static_cast<int>(motion.blocks.size());
-      motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, false});
+      motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, {}, false});
     } else {
       motion.cell_block[c] = motion.cell_block[root];
     }

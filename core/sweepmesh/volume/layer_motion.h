@@ -51,6 +51,7 @@ struct MotionBlend {
 
 struct MotionBlock {
   int k_low = 0, k_high = 0;
+  std::vector<AffineMap> up;       ///< per level: from the low end
   std::vector<MotionBlend> blend;  ///< per level k_low .. k_high
   bool has_loops = false;          ///< false: linear between the ends
 };

@@ -45,19 +45,6 @@ std::vector<int> find_bands(const Extrusion& x, const std::vector<char>& fixed, 
   return bands;
 }
 
-/// Calls f(other column, weight) for the pairs of a cell with its corner `i`.
-template <class F>
-void for_pairs(const Extrusion& x, const BaseMetric& metric, int cell, int i, F&& f) {
-  const int* columns = x.cell_columns.data() + x.cell_offset[cell];
-  const double* weight = metric.pair_weight.data() + metric.pair_offset[cell];
-  const int n = x.cell_size(cell);
-  for (int j = 0; j < n; ++j) {
-    if (j == i) continue;
-    const int a = std::min(i, j), b = std::max(i, j);
-    f(columns[j], weight[a * n - a * (a + 1) / 2 + b - a - 1]);
-  }
-}
-
 BaseMatrix band_matrix(const Extrusion& x, const CellsOfColumns& cells, const BaseMetric& metric,
                        const std::vector<char>& is_free, int k, ThreadTeam& team) {
   return build_rows(x.n_columns(), x.n_columns(), team, [&](int c, RowSum& sum) {

@@ -7,9 +7,11 @@
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/cap_transition.h"
 #include "sweepmesh/volume/element_check.h"
 #include "sweepmesh/volume/layer_motion.h"
 #include "sweepmesh/volume/layered_solver.h"
+#include "sweepmesh/volume/node_ascent.h"
 #include "sweepmesh/volume/residual.h"
 #include "sweepmesh/volume/untangle.h"
 
@@ -119,20 +121,31 @@ bool is_interpolated(const LayerMotion& motion) {
                      [](const MotionBlock& b) { return !b.has_loops && b.k_high > b.k_low + 1; });
 }
 
+void set_quality(const ElementCheck& check, PlacementReport& report) {
+  report.inverted = check.bad;
+  report.min_scaled_jacobian = check.min_scaled_jacobian;
+  report.mean_scaled_jacobian = check.mean_scaled_jacobian;
+}
+
 void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
                    const PlacementOptions& options, bool may_improve, Points& points,
                    PlacementReport& report, ThreadTeam& team, const Context& context) {
-  ElementCheck check = check_elements(x, points, 0.0, team);
-  report.n_inverted_before = static_cast<long>(check.bad.size());
-  if (!check.bad.empty() && options.max_attempts > 0) {
-    untangle_inverted(x, fixed, metric, options, check.bad, points, team, context);
-    check = check_elements(x, points, 0.0, team);
+  set_quality(check_elements(x, points, 0.0, team), report);
+  report.n_inverted_before = static_cast<long>(report.inverted.size());
+  if (!report.inverted.empty() && options.max_attempts > 0) {
+    untangle_inverted(x, fixed, metric, options, report.inverted, points, team, context);
+    set_quality(check_elements(x, points, 0.0, team), report);
   }
-  report.inverted = check.bad;
-  report.min_scaled_jacobian = check.min_scaled_jacobian;
-  if (check.bad.empty() && may_improve)
-    report.min_scaled_jacobian = improve(x, fixed, metric, options, check.min_scaled_jacobian,
-                                         points, report, team, context);
+  // Layers that are exact images of the caps stay so.
+  if (!report.inverted.empty() || !may_improve) return;
+  const double least =
+      improve(x, fixed, metric, options, report.min_scaled_jacobian, points, report, team, context);
+  if (report.mean_scaled_jacobian < options.raise_mean_below &&
+      x.n_elements() <= options.raise_at_most)
+    ascend_nodes(x, fixed, {}, points, team, context);
+  else if (least == report.min_scaled_jacobian)
+    return;
+  set_quality(check_elements(x, points, 0.0, team), report);
 }
 
 }  // namespace
@@ -148,9 +161,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   const BaseMetric metric = make_base_metric(extrusion, fixed, points, team);
   if (options.method != PlacementMethod::harmonic_residual) {
     place_by_older_method(options.method, extrusion, fixed, metric, points, team, context);
-    const ElementCheck check = check_elements(extrusion, points, 0.0, team);
-    report.min_scaled_jacobian = check.min_scaled_jacobian;
-    report.inverted = check.bad;
+    set_quality(check_elements(extrusion, points, 0.0, team), report);
     return report;
   }
   const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric);
@@ -158,12 +169,16 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
   report.largest_residual = largest(residuals);
   context.report(0.1, "Extending the boundary's residual");
-  if (report.largest_residual > options.negligible_residual * size_of(points, fixed))
+  const double negligible = options.negligible_residual * size_of(points, fixed);
+  if (report.largest_residual > negligible)
     extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
                      points, report, team, context);
+  context.report(0.5, "Passing from cap to cap");
+  const bool has_passed = choose_transitions(extrusion, fixed, metric, motion,
+                                             {.negligible = negligible}, points, team, context);
   context.report(0.6, "Checking the elements");
   // Where no residual was left, layers that follow loops are exact images of the caps and stay so.
-  const bool may_improve = report.was_solved || is_interpolated(motion);
+  const bool may_improve = has_passed || report.was_solved || is_interpolated(motion);
   mend_elements(extrusion, fixed, metric, options, may_improve, points, report, team, context);
   context.report(1.0, "Interior nodes placed");
   return report;

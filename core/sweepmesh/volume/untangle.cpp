@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "sweepmesh/base/element_quality.h"
+#include "sweepmesh/volume/element_check.h"
 #include "sweepmesh/volume/element_index.h"
 
 namespace sweepmesh {
@@ -21,17 +22,6 @@ void sort_unique(Numbers& v) {
 
 long position_in(const Numbers& sorted, long value) {
   return std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin();
-}
-
-double scaled_jacobian_of(const Extrusion& x, const Points& points, SweptElement e) {
-  const int n = x.cell_size(e.cell);
-  std::vector<Point3> low(n), high(n);
-  for (int i = 0; i < n; ++i) {
-    const long node = x.node(x.cell_columns[x.cell_offset[e.cell] + i], e.k);
-    low[i] = points.row(node);
-    high[i] = points.row(node + 1);
-  }
-  return scaled_jacobian(low.data(), high.data(), n);
 }
 
 /// Nodes that move together, and the elements that they touch; both ascending.

@@ -141,7 +141,7 @@ TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
     Points points = solid.input();
     PlacementOptions options;
     options.reduction = 1e-6;
-    options.improve_up_to = options.lift_below = 0.0;
+    options.improve_up_to = options.lift_below = options.raise_mean_below = 0.0;
     Context context;
     const PlacementReport report =
         place_interior(solid.extrusion, solid.fixed, points, options, context);

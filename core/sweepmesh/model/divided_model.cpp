@@ -1,4 +1,4 @@
-#include "sweepmesh/model/divide.h"
+#include "sweepmesh/model/divided_model.h"
 
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -165,9 +165,9 @@ std::vector<Id> as_ids(const std::vector<int>& indices) {
 
 }  // namespace
 
-DividedModel divide(const Model& model, const std::vector<FaceCut>& cuts) {
+DividedModel divide_model(const Model& model, const std::vector<FaceCut>& cuts) {
   return translated("The solid cannot be divided along its rounds", [&] {
-    const Model::Impl& impl = *model.impl_;
+    const Model::Impl& impl = model.impl();
     const Task task = task_of(model, cuts);
     std::vector<Step> steps = {cut_faces(impl, task.cuts)};
     steps.push_back(join_over(task.seams, impl, steps.front()));
