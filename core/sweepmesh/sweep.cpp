@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sweepmesh/boundary.h"
+#include "sweepmesh/faces_at_elements.h"
 #include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprinted_boundary.h"
@@ -228,7 +229,13 @@ void forget_unused_edges(const BoundaryMesh& boundary, Intervals& intervals) {
 
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
-  place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
+  try {
+    place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
+  } catch (const InvalidMeshError& e) {
+    throw InvalidMeshError(e.stage(), e.what(),
+                           faces_at_elements(boundary.surface, assembly, e.elements()),
+                           e.elements());
+  }
   VolumeMesh mesh = build_volume_mesh(assembly.extrusion, std::move(assembly.points));
   add_boundary(boundary.surface, assembly, mesh);
   return mesh;
