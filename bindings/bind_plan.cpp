@@ -1,3 +1,4 @@
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include "bind.h"
@@ -8,11 +9,6 @@ namespace py = pybind11;
 namespace sweepmesh {
 
 void bind_plan(py::module_& module) {
-  py::enum_<VertexType>(module, "VertexType")
-      .value("end", VertexType::end)
-      .value("side", VertexType::side)
-      .value("corner", VertexType::corner)
-      .value("reversal", VertexType::reversal);
   py::enum_<EdgeRole>(module, "EdgeRole")
       .value("none", EdgeRole::none)
       .value("transverse", EdgeRole::transverse)
@@ -26,6 +22,7 @@ void bind_plan(py::module_& module) {
       .def_readonly("size", &SweepPlan::size)
       .def_readonly("corners", &SweepPlan::corners)
       .def_property_readonly("edge_intervals", [](const SweepPlan& p) { return p.intervals.edge; })
+      .def_readonly("edge_nodes", &SweepPlan::edge_nodes)
       .def_property_readonly("vertex_level", [](const SweepPlan& p) { return p.intervals.k; })
       .def_property_readonly("n_layers", [](const SweepPlan& p) { return p.intervals.n_layers; })
       .def_property_readonly("edge_role", [](const SweepPlan& p) {

@@ -48,6 +48,7 @@ class BoundaryMesher {
     for (const FaceId f : model_.faces())
       if (is_cap(scheme_.face_role[f.index])) add_cap_over_base(f);
     make_runs();
+    drop_loose_nodes(out_);
     return std::move(out_);
   }
 

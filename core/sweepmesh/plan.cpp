@@ -2,6 +2,7 @@
 
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
+#include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 
 namespace sweepmesh {
@@ -19,13 +20,38 @@ std::vector<CornerType> corners_of(const Model& model, const Scheme& scheme) {
   return out;
 }
 
-Intervals intervals_of(const Model& model, const Scheme& scheme, const IntervalOptions& options,
-                       Context& context) {
-  if (is_one_to_one(scheme)) return assign_intervals(model, scheme, options, context);
-  ImprintOptions how;
-  how.size = options.size;
+std::vector<Points> points_of(const Model& model, const EdgeNodes& nodes) {
+  std::vector<Points> out(nodes.t.size());
+  for (const EdgeId edge : model.edges()) {
+    const auto& t = nodes.t[edge.index];
+    out[edge.index].resize(static_cast<Eigen::Index>(t.size()), 3);
+    for (std::size_t n = 0; n < t.size(); ++n)
+      out[edge.index].row(static_cast<Eigen::Index>(n)) = model.point(edge, t[n]);
+  }
+  return out;
+}
+
+void plan_one_to_one(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                     Context& context, SweepPlan& plan) {
+  plan.intervals = assign_intervals(model, scheme, options, context);
+  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+}
+
+/// Nodes on cuts through the caps belong to no edge and are left out.
+void plan_shell(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                Context& context, SweepPlan& plan) {
+  const Shell shell = find_shell(model, scheme, context);
+  plan.intervals = count_shell(model, scheme, shell, options, context).intervals;
+  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+}
+
+void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fraction,
+                    const IntervalOptions& options, Context& context, SweepPlan& plan) {
+  const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
   const Imprint imprint = imprint_caps(model, scheme, how, context);
-  return count_imprint(model, scheme, imprint, options, context).intervals;
+  const ImprintCounts counts = count_imprint(model, scheme, imprint, options, context);
+  plan.intervals = counts.intervals;
+  plan.edge_nodes = points_of(model, place_imprinted_nodes(model, imprint, counts, options));
 }
 
 }  // namespace
@@ -41,7 +67,14 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   if (!plan.assessment.is_sweepable()) return plan;
   const Scheme& scheme = plan.assessment.schemes.front();
   plan.corners = corners_of(model, scheme);
-  plan.intervals = intervals_of(model, scheme, interval_options(options, plan.size), context);
+  const IntervalOptions intervals = interval_options(model, options, plan.size);
+  if (is_shell_like(model, scheme))
+    plan_shell(model, scheme, intervals, context, plan);
+  else if (is_one_to_one(scheme))
+    plan_one_to_one(model, scheme, intervals, context, plan);
+  else
+    plan_imprinted(model, scheme, merge_fractions(options, plan.size).front(), intervals, context,
+                   plan);
   return plan;
 }
 

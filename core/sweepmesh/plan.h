@@ -19,6 +19,8 @@ struct SweepPlan {
   double size = 0.0;                ///< the element size that would be used
   Intervals intervals;              ///< of the best scheme
   std::vector<CornerType> corners;  ///< by face, then along its loops
+  std::vector<Points>
+      edge_nodes;  ///< by EdgeId, from its start to its end; empty for others' edges
 };
 
 /// The same verdict, scheme and intervals as sweep() comes to; throws what it throws up to there.

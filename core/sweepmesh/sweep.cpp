@@ -13,6 +13,7 @@
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/wishes.h"
 #include "sweepmesh/second_order_on_model.h"
+#include "sweepmesh/shell_boundary.h"
 #include "sweepmesh/volume/place.h"
 
 namespace sweepmesh {
@@ -56,6 +57,9 @@ void check_options(const SweepOptions& options) {
     refuse("The element size must be a positive number.");
   if (options.layers && *options.layers < 1) refuse("The number of layers must be at least 1.");
   if (options.order != 1 && options.order != 2) refuse("The element order must be 1 or 2.");
+  if (options.imprint_tolerance &&
+      !(std::isfinite(*options.imprint_tolerance) && *options.imprint_tolerance >= 0))
+    refuse("The imprint tolerance must be a number that is not negative.");
   if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
   if (options.element == ElementKind::polyhedron)
     refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
@@ -69,12 +73,39 @@ void check_picks(const Picks& picks) {
     if (source == target) refuse(name_of(source) + " is paired with itself.", {name_of(source)});
 }
 
-IntervalOptions interval_options(const SweepOptions& options, double size) {
+namespace {
+
+/// What is said of edges of this solid; edges of other solids are left to those.
+template <class Wish>
+std::map<EdgeId, Wish> on_own_edges(const Model& model, const std::map<EdgeId, Wish>& wishes) {
+  const auto& edges = model.edges();
+  std::map<EdgeId, Wish> own;
+  for (const auto& [edge, wish] : wishes) {
+    if (edge.index < 0 || edge.index >= model.n_edges())
+      refuse("The shape has no " + name_of(edge) + ".", {name_of(edge)});
+    if (std::binary_search(edges.begin(), edges.end(), edge)) own.emplace(edge, wish);
+  }
+  return own;
+}
+
+}  // namespace
+
+IntervalOptions interval_options(const Model& model, const SweepOptions& options, double size) {
   IntervalOptions out;
   out.size = size;
   out.layers = options.layers;
+  out.edge_size = on_own_edges(model, options.edge_size);
+  out.edge_count = on_own_edges(model, options.edge_count);
+  out.edge_bias = on_own_edges(model, options.edge_bias);
+  out.sweep_bias = options.sweep_bias;
   out.quad_caps = options.element == ElementKind::hex;
   return out;
+}
+
+std::vector<double> merge_fractions(const SweepOptions& options, double size) {
+  if (options.imprint_tolerance) return {std::min(1.0, *options.imprint_tolerance / size)};
+  const double usual = ImprintOptions{}.merge_fraction;
+  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual};
 }
 
 namespace {
@@ -87,11 +118,22 @@ std::string in_millions(double count) {
 
 }  // namespace
 
+namespace {
+
+double expected_count(const Model& model, const SweepOptions& options, double size) {
+  const double expected = expected_elements(model, interval_options(model, options, size));
+  return options.layers ? std::max(expected, static_cast<double>(*options.layers)) : expected;
+}
+
+bool is_explosion(const Model& model, const SweepOptions& options, double size) {
+  return expected_count(model, options, size) > static_cast<double>(options.max_elements);
+}
+
+}  // namespace
+
 void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
-  IntervalOptions intervals = interval_options(options, size);
-  double expected = expected_elements(model, intervals);
-  if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
-  if (expected <= static_cast<double>(options.max_elements)) return;
+  if (!is_explosion(model, options, size)) return;
+  const double expected = expected_count(model, options, size);
   refuse("About " + in_millions(expected) +
          " elements are to be expected, more than the limit of " +
          in_millions(static_cast<double>(options.max_elements)) +
@@ -135,18 +177,18 @@ BoundaryMesh boundary_with_merging(const Model& model, const Scheme& scheme, dou
   });
 }
 
-/// Near curves are brought together within the usual distance, or, where curves then get into each
+/// Near curves are brought together within the first distance, or, where curves then get into each
 /// other's way or cells have no room on a cap, within another one. If none will do, the first error
 /// counts.
 BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
-                              const IntervalOptions& options, CellKind kind, StageClock& clock,
+                              const IntervalOptions& options, CellKind kind,
+                              const std::vector<double>& fractions, StageClock& clock,
                               Context& context, SweepResult& result) {
-  const double usual = ImprintOptions{}.merge_fraction;
   std::exception_ptr first;
-  for (const double fraction : {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual}) try {
+  for (const double fraction : fractions) try {
       BoundaryMesh boundary =
           boundary_with_merging(model, scheme, fraction, options, kind, clock, context, result);
-      if (fraction != usual)
+      if (fraction != fractions.front())
         result.warnings.push_back(
             "Curves of different caps are brought together where they are nearer than " +
             std::to_string(std::lround(100 * fraction)) + " % of the element size.");
@@ -160,6 +202,40 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
   std::rethrow_exception(first);
 }
 
+BoundaryMesh boundary_of_shell(const Model& model, const Scheme& scheme,
+                               const IntervalOptions& options, CellKind kind, StageClock& clock,
+                               Context& context, SweepResult& result) {
+  context.report(0.05, "Matching sources and targets");
+  const Shell shell = clock.run("imprint", [&] { return find_shell(model, scheme, context); });
+  context.report(0.1, "Choosing intervals");
+  const ShellCounts counts =
+      clock.run("intervals", [&] { return count_shell(model, scheme, shell, options, context); });
+  result.intervals = counts.intervals;
+  context.report(0.2, "Meshing the surface");
+  return clock.run("surface", [&] {
+    return mesh_shell_boundary(model, scheme, shell, counts, options, kind, context);
+  });
+}
+
+BoundaryMesh boundary_of(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                         CellKind kind, const std::vector<double>& merge_fractions,
+                         StageClock& clock, Context& context, SweepResult& result) {
+  if (is_shell_like(model, scheme))
+    return boundary_of_shell(model, scheme, options, kind, clock, context, result);
+  if (is_one_to_one(scheme))
+    return boundary_of_one(model, scheme, options, kind, clock, context, result);
+  return boundary_of_many(model, scheme, options, kind, merge_fractions, clock, context, result);
+}
+
+/// Edges whose inner nodes all were passed over have no mesh edges: seams of caps.
+void forget_unused_edges(const BoundaryMesh& boundary, Intervals& intervals) {
+  std::vector<char> is_used(intervals.edge.size(), 0);
+  for (const Owner& o : boundary.surface.owner)
+    if (o.kind == EntityKind::edge) is_used[o.index] = 1;
+  for (std::size_t e = 0; e < is_used.size(); ++e)
+    if (!is_used[e] && intervals.edge[e] > 1) intervals.edge[e] = 0;
+}
+
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
   place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
@@ -171,12 +247,12 @@ VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
 /// Meshes one scheme into result.mesh and result.intervals; throws the stages' errors.
 void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                  StageClock& clock, Context& context, SweepResult& result) {
-  const IntervalOptions intervals = interval_options(options, result.size);
+  const IntervalOptions intervals = interval_options(model, options, result.size);
   const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
   const BoundaryMesh boundary =
-      is_one_to_one(scheme)
-          ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
-          : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
+      boundary_of(model, scheme, intervals, kind, merge_fractions(options, result.size), clock,
+                  context, result);
+  forget_unused_edges(boundary, result.intervals);
   context.report(0.6, "Placing interior nodes");
   result.mesh = clock.run("place", [&] {
     VolumeMesh mesh = fill(boundary, context);
@@ -206,16 +282,24 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
+/// straight where the solid has such sweeps.
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
+
 /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
 /// warning tells of those before it. False: the solid turned out not to be sweepable, see the
 /// assessment. Throws the first scheme's error where all fail otherwise.
 bool mesh_first_possible(const Model& model, const SweepOptions& options, StageClock& clock,
                          Context& context, SweepResult& result) {
-  constexpr std::size_t n_tries = 4;
   auto& schemes = result.assessment.schemes;
   std::exception_ptr first_error;
   std::optional<InvalidMeshError> fold;
-  for (std::size_t s = 0; s < std::min(n_tries, schemes.size()); ++s) try {
+  for (const std::size_t s : tries(schemes.size())) try {
       mesh_scheme(model, schemes[s], options, clock, context, result);
       std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
       return true;
@@ -230,6 +314,46 @@ bool mesh_first_possible(const Model& model, const SweepOptions& options, StageC
     }
   if (!fold) std::rethrow_exception(first_error);
   result.assessment = folded(*fold);
+  result.warnings.clear();
+  return false;
+}
+
+std::string text_of(double size) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", size);
+  return text;
+}
+
+/// As mesh_first_possible, and where that fails once more with other sizes near the wished one:
+/// then nodes lie elsewhere, and narrow places get other numbers of cells. The first failure
+/// counts.
+bool mesh_at_some_size(const Model& model, const SweepOptions& options, StageClock& clock,
+                       Context& context, SweepResult& result) {
+  const SweepResult begun = result;
+  std::optional<Assessment> refused;
+  std::exception_ptr first_error;
+  for (const double share : {1.0, 0.85, 1.2, 0.7}) try {
+      result.assessment = begun.assessment;
+      result.warnings = begun.warnings;
+      result.size = share * begun.size;
+      if (share < 1.0 && is_explosion(model, options, result.size)) continue;
+      if (mesh_first_possible(model, options, clock, context, result)) {
+        if (share != 1.0)
+          result.warnings.push_back("The element size is " + text_of(result.size) + ": with " +
+                                    text_of(begun.size) + " no valid mesh was found.");
+        return true;
+      }
+      if (!refused && !first_error) refused = result.assessment;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const SolverError&) {
+      if (!refused && !first_error) throw;
+    } catch (const Error&) {
+      if (!refused && !first_error) first_error = std::current_exception();
+    }
+  result.size = begun.size;
+  if (first_error) std::rethrow_exception(first_error);
+  result.assessment = *refused;
   result.warnings.clear();
   return false;
 }
@@ -253,7 +377,7 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
   context.report(0.0, "Looking for sources and targets");
   result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
   if (!result.assessment.is_sweepable()) return result;
-  if (!mesh_first_possible(model, options, clock, context, result)) return result;
+  if (!mesh_at_some_size(model, options, clock, context, result)) return result;
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });

@@ -12,10 +12,6 @@ JUDGE = find_judge()
 # Sweeps that are sound but not served yet; "free" is without picks.
 NOT_SERVED = {
     "typhoon_hole-free",
-    "pipe_junction-scheme0",
-    "hollow_box_shell-scheme0",
-    "sphere_shell-free",
-    "sphere_shell-scheme0",
 }
 
 

@@ -8,6 +8,7 @@ from sweepmesh.engine.errors import (
     SolverError,
     SweepMeshError,
 )
+from sweepmesh.engine.imprints import Imprint, imprint
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
 from sweepmesh.engine.plans import SweepPlan, plan
@@ -18,6 +19,7 @@ from sweepmesh.engine.stages import assess, mesh
 __all__ = [
     "Assessment",
     "Cancelled",
+    "Imprint",
     "InputError",
     "InvalidMeshError",
     "Model",
@@ -31,6 +33,7 @@ __all__ = [
     "__version__",
     "assess",
     "face_at",
+    "imprint",
     "mesh",
     "plan",
     "read",

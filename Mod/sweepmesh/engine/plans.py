@@ -3,6 +3,8 @@
 import dataclasses
 from typing import Dict, List, Tuple
 
+import numpy
+
 from sweepmesh.engine import _sweepmesh
 from sweepmesh.engine.model import as_model, chosen_solids
 from sweepmesh.engine.options import Options
@@ -26,6 +28,8 @@ class SweepPlan:
     """Mesh edges on each CAD edge: {"Edge1": 12, ...}."""
     levels: Dict[str, int]
     """The layer at which each vertex lies: {"Vertex1": 0, ...}."""
+    edge_nodes: Dict[str, numpy.ndarray]
+    """Points (n + 1, 3) of the nodes on each CAD edge, from its start to its end."""
 
     @classmethod
     def from_core(cls, core):
@@ -38,6 +42,7 @@ class SweepPlan:
             edge_roles={f"Edge{i + 1}": r.name for i, r in enumerate(core.edge_role) if r.name != "none"},
             intervals={f"Edge{i + 1}": n for i, n in enumerate(core.edge_intervals) if n > 0},
             levels={f"Vertex{i + 1}": k for i, k in enumerate(core.vertex_level) if k >= 0},
+            edge_nodes={f"Edge{i + 1}": points for i, points in enumerate(core.edge_nodes) if len(points)},
         )
 
 
@@ -59,7 +64,7 @@ def plan(shape, options=None, progress=None):
 
 def _plans_of(solids, options, context):
     core = options.to_core()
-    picks = [options.picks(solid.n_faces) if len(solids) == 1 else _picks_on(solid, options) for solid in solids]
+    picks = [options.picks(solid) if len(solids) == 1 else _picks_on(solid, options) for solid in solids]
     return [SweepPlan.from_core(_sweepmesh.plan(s, p, core, context)) for s, p in zip(solids, picks)]
 
 
@@ -71,8 +76,9 @@ def _picks_on(solid, options):
         sources=[face for face in options.sources if face in own],
         targets=[face for face in options.targets if face in own],
         pairs=[pair for pair in options.pairs if set(pair) <= own],
+        vertex_types=[triple for triple in options.type_triples() if triple[0] in own],
     )
-    return mine.picks(solid.n_faces)
+    return mine.picks(solid)
 
 
 def _merged(plans):
@@ -83,7 +89,7 @@ def _merged(plans):
         for reason in each.assessment.reasons
     ]
     if reasons:
-        return SweepPlan(Assessment("unsweepable", reasons, []), plans[0].size, 0, [], {}, {}, {})
+        return SweepPlan(Assessment("unsweepable", reasons, []), plans[0].size, 0, [], {}, {}, {}, {})
     return SweepPlan(
         assessment=Assessment("sweepable", [], [_joined(each.assessment.roles for each in plans)]),
         size=plans[0].size,
@@ -92,6 +98,7 @@ def _merged(plans):
         edge_roles=_joined(each.edge_roles for each in plans),
         intervals=_joined(each.intervals for each in plans),
         levels=_joined(each.levels for each in plans),
+        edge_nodes=_joined(each.edge_nodes for each in plans),
     )
 
 

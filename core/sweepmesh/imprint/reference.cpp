@@ -1,6 +1,7 @@
 #include "sweepmesh/imprint/reference.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sweepmesh {
@@ -95,17 +96,32 @@ class Sampler {
   ReferenceCurve out_;
 };
 
+/// Arcs on a line that tell whether it lies over other lines: some all along it, and one in each
+/// part between the feet of the other lines' ends.
+std::vector<double> test_arcs(const Polyline& line, const std::vector<const Polyline*>& others) {
+  constexpr std::array fractions = {0.0, 0.21, 0.5, 0.83, 1.0};
+  std::vector<double> out;
+  for (const double f : fractions) out.push_back(f * length(line));
+  std::vector<double> feet = {0.0, length(line)};
+  for (const Polyline* other : others)
+    for (const Point2& end : {other->front(), other->back()})
+      feet.push_back(nearest(line, end).arc);
+  std::sort(feet.begin(), feet.end());
+  for (std::size_t i = 0; i + 1 < feet.size(); ++i) out.push_back((feet[i] + feet[i + 1]) / 2);
+  return out;
+}
+
 /// Whether each of `edges` lies over the edges `others`, at its ends and between.
 bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& others,
               const std::vector<const ReferenceCurve*>& curve, double tolerance) {
-  constexpr int n_parts = 32;
+  std::vector<const Polyline*> lines;
+  for (const EdgeId o : others) lines.push_back(&curve[o.index]->points);
   for (const EdgeId e : edges) {
     const Polyline& line = curve[e.index]->points;
-    const double whole = length(line);
-    for (int i = 0; i <= n_parts; ++i) {
-      const Point2 p = at_arc(line, whole * i / n_parts).point;
-      const bool is_over = std::any_of(others.begin(), others.end(), [&](EdgeId o) {
-        return nearest(curve[o.index]->points, p).distance <= tolerance;
+    for (const double arc : test_arcs(line, lines)) {
+      const Point2 p = at_arc(line, arc).point;
+      const bool is_over = std::any_of(lines.begin(), lines.end(), [&](const Polyline* other) {
+        return nearest(*other, p).distance <= tolerance;
       });
       if (!is_over) return false;
     }

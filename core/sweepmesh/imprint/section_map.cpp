@@ -1,8 +1,12 @@
 #include "sweepmesh/imprint/section_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "sweepmesh/base/errors.h"
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/surface/cap_map.h"
 
@@ -52,6 +56,49 @@ void add_grid(const std::vector<OutlinePart>& loops, double spacing, std::vector
     }
 }
 
+using Triangle = std::array<int, 3>;
+
+/// A triangle with middles of some of its sides as nodes (-1: none; middle i is that of side i,
+/// from corner i to the next), as triangles.
+std::vector<Triangle> split_at(const Triangle& t, const Triangle& middle) {
+  const int n =
+      static_cast<int>(std::count_if(middle.begin(), middle.end(), [](int m) { return m >= 0; }));
+  if (n == 0) return {t};
+  int s = 0;  // the first split side whose next one is not, or any
+  while (middle[s] < 0 || (n == 2 && middle[(s + 1) % 3] < 0)) ++s;
+  const int a = t[s], b = t[(s + 1) % 3], c = t[(s + 2) % 3];
+  const int ab = middle[s], bc = middle[(s + 1) % 3], ca = middle[(s + 2) % 3];
+  if (n == 1) return {{a, ab, c}, {ab, b, c}};
+  if (n == 2) return {{ab, b, bc}, {a, ab, c}, {ab, bc, c}};
+  return {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}};
+}
+
+/// Puts a node into the middle of every inner side between two nodes of the boundary: a triangle
+/// with all its corners there could not follow a boundary that turns the other way in the image.
+std::vector<Triangle> with_chords_split(const std::vector<Triangle>& triangles, int n_boundary,
+                                        std::vector<Point2>& points) {
+  std::map<std::pair<int, int>, int> uses;
+  const auto side = [](const Triangle& t, int i) { return std::minmax(t[i], t[(i + 1) % 3]); };
+  for (const Triangle& t : triangles)
+    for (int i = 0; i < 3; ++i) ++uses[side(t, i)];
+  std::map<std::pair<int, int>, int> middles;
+  for (const auto& [ends, n] : uses)
+    if (n == 2 && ends.second < n_boundary) {
+      middles[ends] = static_cast<int>(points.size());
+      points.push_back(0.5 * (points[ends.first] + points[ends.second]));
+    }
+  std::vector<Triangle> out;
+  for (const Triangle& t : triangles) {
+    Triangle middle;
+    for (int i = 0; i < 3; ++i) {
+      const auto found = middles.find(side(t, i));
+      middle[i] = found == middles.end() ? -1 : found->second;
+    }
+    for (const Triangle& part : split_at(t, middle)) out.push_back(part);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, double tolerance) {
@@ -91,9 +138,9 @@ bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
 
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
-                                   const Context& context) {
+                                   Carrying carrying, const Context& context) {
   if (loops.empty())
-    throw InvalidMeshError("imprint", "The outline of the section is not closed.", {}, {});
+    throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
   PlanarMesh mesh;
   std::vector<Point2> images;
   std::vector<std::vector<int>> boundary;
@@ -109,8 +156,14 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   mesh.n_boundary = mesh.n_nodes();
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());
   add_grid(loops, spacing, mesh.points);
-  for (const auto& triangle : constrained_delaunay(mesh.points, boundary)) mesh.add_cell(triangle);
-  const std::vector<Point2> all = map_planar(mesh, images, {}, context).points;
+  auto triangles = constrained_delaunay(mesh.points, boundary);
+  MapOptions options;
+  if (carrying == Carrying::smooth) {
+    options.poor = -1.0;
+    triangles = with_chords_split(triangles, mesh.n_boundary, mesh.points);
+  }
+  for (const Triangle& t : triangles) mesh.add_cell(t);
+  const std::vector<Point2> all = map_planar(mesh, images, options, context).points;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
 }
 

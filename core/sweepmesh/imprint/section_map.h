@@ -17,14 +17,19 @@ struct OutlinePart {
 /// where an end finds no partner.
 std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, double tolerance);
 
+/// even: triangles of the section keep their shapes where they can, so that what is narrow stays as
+/// wide as it can be. smooth: the map is harmonic wherever that has no folds, so smooth curves stay
+/// smooth.
+enum class Carrying { even, smooth };
+
 /// Images in R of points inside the section. The section is triangulated with the points as
 /// vertices and others about `spacing` apart, and mapped as a cap is (cap_map.h): harmonic, with
 /// positive weights, and free of folds. Throws InvalidMeshError where no map without folds is
-/// found, and where there are no loops. The points must differ from each other and from the
+/// found, or where there are no loops. The points must differ from each other and from the
 /// outline's.
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
-                                   const Context& context);
+                                   Carrying carrying, const Context& context);
 
 /// Whether a point lies inside the loops.
 bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p);

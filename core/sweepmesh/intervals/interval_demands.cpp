@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/intervals/areas.h"
@@ -59,7 +60,8 @@ class Builder {
     for (const EdgeId e : model_.edges()) {
       const bool is_closed = model_.start(e) == model_.end(e);
       const double wish = std::max(wishes[e.index], needs[e.index]);
-      out_.edge[e.index] = out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wish, wish});
+      const double weight = wish * importance(options_, e);
+      out_.edge[e.index] = out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wish, weight});
     }
     for (const VertexId v : model_.vertices())
       out_.vertex[v.index] = out_.problem.add({-unbounded, unbounded, std::nullopt, 0.0});
@@ -168,17 +170,25 @@ class Builder {
   }
 
   /// Caps that no linking face connects (a shell between two closed surfaces): a source lies above
-  /// each target, by its distance in element sizes.
+  /// the nearest target, by its distance in element sizes.
   void join_levels() {
     if (!scheme_.faces_with(FaceRole::linking).empty()) return;
-    for (const FaceId source : scheme_.faces_with(FaceRole::source))
-      for (const FaceId target : scheme_.faces_with(FaceRole::target)) rise_between(target, source);
+    for (const FaceId source : scheme_.faces_with(FaceRole::source)) {
+      const auto [low, high] = model_.uv_bounds(source);
+      const Point3 middle = model_.point(source, 0.5 * (low + high));
+      FaceId nearest;
+      double apart = std::numeric_limits<double>::infinity();
+      for (const FaceId target : scheme_.faces_with(FaceRole::target)) {
+        const double distance = model_.distance(target, middle);
+        if (distance < apart) apart = distance, nearest = target;
+      }
+      if (nearest.is_valid()) rise_between(nearest, source, apart);
+    }
   }
 
-  void rise_between(FaceId target, FaceId source) {
+  void rise_between(FaceId target, FaceId source, double apart) {
     const VertexId low = model_.loops(target).front().front().start;
     const VertexId high = model_.loops(source).front().front().start;
-    const double apart = model_.distance(target, model_.point(high));
     const int rise = add_rise(apart);
     demand(Kind::equality, {{rise, 1.0}, {level(high), -1.0}, {level(low), 1.0}}, 0.0,
            {name_of(source), name_of(target)},

@@ -116,6 +116,8 @@ class Model {
   double dihedral(EdgeId, double fraction = 0.5) const;
 
   struct Impl;
+  const Impl& impl() const { return *impl_; }  ///< for model/ itself
+  friend struct DividedModel divide(const Model& model, const std::vector<struct FaceCut>& cuts);
 
  private:
   explicit Model(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}

@@ -73,7 +73,8 @@ struct Assessment {
   bool is_sweepable() const { return !schemes.empty(); }
 };
 
-/// A vertex type that the user wants on a linking face, wherever the face's loops pass the vertex.
+/// A vertex type that the user wants on a face, wherever its loops pass the vertex; it makes the
+/// face a linking face.
 struct TypePick {
   FaceId face;
   VertexId vertex;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sweepmesh/base/geometry.h"
+#include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/extrusion.h"
 
 namespace sweepmesh {
@@ -39,6 +40,6 @@ struct BaseMetric {
 ///
 /// `points` needs the ends of the runs and the nodes that are `fixed`. Linear in their number.
 BaseMetric make_base_metric(const Extrusion& extrusion, const std::vector<char>& fixed,
-                            const Points& points);
+                            const Points& points, ThreadTeam& team);
 
 }  // namespace sweepmesh

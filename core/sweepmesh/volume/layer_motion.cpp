@@ -123,10 +123,27 @@ std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const MotionBlock& 
   return maps;
 }
 
-void set_blends(const std::vector<Slab>& slabs, const BaseMetric& metric, int column,
-                MotionBlock& block) {
+/// Whether a map from the low end of a block to its high end says more of the motion than no map:
+/// loops that are small beside their caps say nothing of what lies far from them.
+bool is_telling(const AffineMap& map, const Extrusion& x, const Points& points, int block_index,
+                const LayerMotion& motion) {
+  constexpr double most_off = 0.5;  // of the way
+  const MotionBlock& block = motion.blocks[block_index];
+  double off = 0.0, way = 0.0;
+  for (int c = 0; c < x.n_cells(); ++c) {
+    if (motion.cell_block[c] != block_index) continue;
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
+      const Point3 low = points.row(x.node(x.cell_columns[i], block.k_low));
+      const Point3 high = points.row(x.node(x.cell_columns[i], block.k_high));
+      off += (map(low) - high).norm();
+      way += (low - high).norm();
+    }
+  }
+  return off <= most_off * way;
+}
+
+void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlock& block) {
   const int n = block.k_high - block.k_low;
-  std::vector<AffineMap> maps = chain(slabs, block, column);
   block.has_loops = !maps.empty();
   if (!block.has_loops) maps.assign(n + 1, AffineMap());
   const AffineMap back = maps.back().inverse();
@@ -165,18 +182,30 @@ void find_blocks(const Extrusion& x, LayerMotion& motion) {
   }
 }
 
+/// Most columns have one block; pairs of the others are sorted.
 void list_blocks_of_columns(const Extrusion& x, LayerMotion& motion) {
-  std::vector<std::vector<int>> blocks(x.n_columns());
+  std::vector<int> first(x.n_columns(), -1);
+  std::vector<std::pair<int, int>> more;  // column, block
   for (int c = 0; c < x.n_cells(); ++c)
     for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      std::vector<int>& list = blocks[x.cell_columns[i]];
-      const int b = motion.cell_block[c];
-      if (std::find(list.begin(), list.end(), b) == list.end()) list.push_back(b);
+      int& own = first[x.cell_columns[i]];
+      if (own < 0) own = motion.cell_block[c];
+      if (own != motion.cell_block[c]) more.emplace_back(x.cell_columns[i], motion.cell_block[c]);
     }
+  for (std::size_t i = 0, n = more.size(); i < n; ++i)
+    more.emplace_back(more[i].first, first[more[i].first]);
+  std::sort(more.begin(), more.end());
+  more.erase(std::unique(more.begin(), more.end()), more.end());
   motion.column_offset.assign(1, 0);
-  for (std::vector<int>& list : blocks) {
-    std::sort(list.begin(), list.end());
-    motion.column_blocks.insert(motion.column_blocks.end(), list.begin(), list.end());
+  motion.column_offset.reserve(x.n_columns() + 1);
+  auto next = more.begin();
+  for (int column = 0; column < x.n_columns(); ++column) {
+    if (next == more.end() || next->first != column) {
+      if (first[column] >= 0) motion.column_blocks.push_back(first[column]);
+    } else {
+      for (; next != more.end() && next->first == column; ++next)
+        motion.column_blocks.push_back(next->second);
+    }
     motion.column_offset.push_back(static_cast<int>(motion.column_blocks.size()));
   }
 }
@@ -227,9 +256,12 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
   list_blocks_of_columns(extrusion, motion);
   const std::vector<Slab> slabs = make_slabs(extrusion, fixed, points);
   for (int c = 0; c < extrusion.n_cells(); ++c) {
-    MotionBlock& block = motion.blocks[motion.cell_block[c]];
-    if (block.blend.empty())
-      set_blends(slabs, metric, extrusion.cell_columns[extrusion.cell_offset[c]], block);
+    const int b = motion.cell_block[c];
+    MotionBlock& block = motion.blocks[b];
+    if (!block.blend.empty()) continue;
+    auto maps = chain(slabs, block, extrusion.cell_columns[extrusion.cell_offset[c]]);
+    if (!maps.empty() && !is_telling(maps.back(), extrusion, points, b, motion)) maps.clear();
+    set_blends(metric, std::move(maps), block);
   }
   return motion;
 }

@@ -45,13 +45,13 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
                       const LayerMotion& motion, const Residuals& residuals, double unit,
                       const PlacementOptions& options, Points& points, PlacementReport& report,
                       ThreadTeam& team, const Context& context) {
-  LayeredLevel level = make_layered_level(x, metric, fixed);
+  const CellsOfColumns cells(x);
+  const LayeredLevel level = make_layered_level(x, cells, metric, fixed, team);
   if (level.system.size() == 0) return;
-  const LayeredSystem layout = level.system;
-  std::vector<float> e = right_hand_side(x, motion, metric, residuals, layout, 1.0 / unit, team);
-  const SolverReport solved =
-      solve(std::move(level), e, {.reduction = options.reduction}, team, context);
-  add_correction(x, layout, e, unit, points, team);
+  std::vector<float> e =
+      right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
+  const SolverReport solved = solve(level, e, {.reduction = options.reduction}, team, context);
+  add_correction(x, level.system, e, unit, points, team);
   report.was_solved = true;
   report.n_iterations = solved.n_iterations;
 }
@@ -112,9 +112,16 @@ double improve(const Extrusion& x, const std::vector<char>& fixed, const BaseMet
   return least;
 }
 
+/// Whether layers are only interpolated between their ends: they may be improved even where the
+/// boundary left no residual.
+bool is_interpolated(const LayerMotion& motion) {
+  return std::any_of(motion.blocks.begin(), motion.blocks.end(),
+                     [](const MotionBlock& b) { return !b.has_loops && b.k_high > b.k_low + 1; });
+}
+
 void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
-                   const PlacementOptions& options, Points& points, PlacementReport& report,
-                   ThreadTeam& team, const Context& context) {
+                   const PlacementOptions& options, bool may_improve, Points& points,
+                   PlacementReport& report, ThreadTeam& team, const Context& context) {
   ElementCheck check = check_elements(x, points, 0.0, team);
   report.n_inverted_before = static_cast<long>(check.bad.size());
   if (!check.bad.empty() && options.max_attempts > 0) {
@@ -123,8 +130,7 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
   }
   report.inverted = check.bad;
   report.min_scaled_jacobian = check.min_scaled_jacobian;
-  // Where no residual was left, the layers are exact images of the caps and stay so.
-  if (check.bad.empty() && report.was_solved)
+  if (check.bad.empty() && may_improve)
     report.min_scaled_jacobian = improve(x, fixed, metric, options, check.min_scaled_jacobian,
                                          points, report, team, context);
 }
@@ -139,7 +145,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   if (extrusion.n_elements() == 0) return report;
   ThreadTeam team(context.n_threads());
   context.report(0.0, "Placing the interior nodes");
-  const BaseMetric metric = make_base_metric(extrusion, fixed, points);
+  const BaseMetric metric = make_base_metric(extrusion, fixed, points, team);
   if (options.method != PlacementMethod::harmonic_residual) {
     place_by_older_method(options.method, extrusion, fixed, metric, points, team, context);
     const ElementCheck check = check_elements(extrusion, points, 0.0, team);
@@ -156,7 +162,9 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
     extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
                      points, report, team, context);
   context.report(0.6, "Checking the elements");
-  mend_elements(extrusion, fixed, metric, options, points, report, team, context);
+  // Where no residual was left, layers that follow loops are exact images of the caps and stay so.
+  const bool may_improve = report.was_solved || is_interpolated(motion);
+  mend_elements(extrusion, fixed, metric, options, may_improve, points, report, team, context);
   context.report(1.0, "Interior nodes placed");
   return report;
 }

@@ -148,7 +148,7 @@ TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
     EXPECT_TRUE(report.was_solved);
     // The correction of the affine motion, not the position, is what is harmonic.
     ThreadTeam team;
-    const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, points);
+    const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, points, team);
     const LayerMotion motion = make_layer_motion(solid.extrusion, solid.fixed, points, metric);
     Points prediction(points.rows(), 3), correction = points;
     std::vector<Point3> column(10);

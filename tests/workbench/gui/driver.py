@@ -25,6 +25,9 @@ def go(steps):
 def _run(steps):
     try:
         main_window().resize(1280, 900)
+        for dock in main_window().findChildren(QtGui.QDockWidget):
+            if dock.objectName() in ("Python console", "Report view"):
+                dock.hide()
         FreeCADGui.activateWorkbench("SweepMeshWorkbench")
         steps()
     except BaseException:
@@ -82,6 +85,14 @@ def show_all(direction="Axonometric"):
     settle()
 
 
+def look_from(*direction):
+    """Look at everything from a direction in space; z points up."""
+    back, up = FreeCAD.Vector(*direction), FreeCAD.Vector(0, 0, 1)
+    view().setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(), up, back, "ZYX").Q)
+    view().fitAll()
+    settle()
+
+
 def click_point(point, key=NO_KEY):
     """Click with the left button on a point of space, as it appears in the 3D view."""
     canvas = _canvas()
@@ -91,6 +102,17 @@ def click_point(point, key=NO_KEY):
     settle(0.1)
     QTest.mouseClick(canvas, LEFT, key, at)
     settle(0.2)
+
+
+def click_edge(obj, name, part=0.5, key=NO_KEY):
+    """Click on an edge that can be seen, at this part of its length."""
+    edge = obj.Shape.getElement(name)
+    click_point(edge.valueAt(edge.getParameterByLength(part * edge.Length)), key)
+
+
+def click_vertex(obj, name, key=NO_KEY):
+    """Click on a vertex that can be seen."""
+    click_point(obj.Shape.getElement(name).Point, key)
 
 
 def click_face(obj, name, key=NO_KEY):
@@ -107,8 +129,19 @@ def _canvas():
     raise LookupError("There is no 3D view.")
 
 
+def reveal(field):
+    """Scroll the task panel until a widget of it can be seen."""
+    parent = field.parentWidget()
+    while parent is not None:
+        if isinstance(parent, QtGui.QScrollArea):
+            parent.ensureWidgetVisible(field, 0, 20)
+        parent = parent.parentWidget()
+
+
 def press(button):
-    """Click on a button of a panel or a toolbar, or on the box of a check box."""
+    """Click on a button of a panel or a toolbar, or on the box of a check box, once it can be pressed."""
+    wait_for(button.isEnabled, 10)
+    reveal(button)
     at = QtCore.QPoint(10, button.height() // 2) if isinstance(button, QtGui.QCheckBox) else QtCore.QPoint()
     QTest.mouseClick(button, LEFT, NO_KEY, at)
     settle()
@@ -139,6 +172,24 @@ def widget(name):
     raise LookupError(f"There is no widget '{name}'.")
 
 
+def choose(name, index):
+    """Choose an entry of a box by the keyboard, as QTest cannot see into the list that opens."""
+    box = widget(name)
+    reveal(box)
+    box.setFocus()
+    while box.currentIndex() != index:
+        QTest.keyClick(box, QtCore.Qt.Key_Down if box.currentIndex() < index else QtCore.Qt.Key_Up)
+    settle(0.1)
+
+
+def click_row(name, row, key=NO_KEY):
+    """Click on a row of a list of the panel."""
+    shown = widget(name)
+    reveal(shown)
+    QTest.mouseClick(shown.viewport(), LEFT, key, shown.visualItemRect(shown.item(row)).center())
+    settle(0.1)
+
+
 def is_shown(name):
     """Is there a widget of this name to be seen?"""
     return any(found.isVisible() for found in main_window().findChildren(QtGui.QWidget, name))
@@ -155,10 +206,36 @@ def rows(name):
 def type_into(name, text):
     """Replace what an input field holds, as a user does, and leave it."""
     field = widget(name)
+    reveal(field)
     field.setFocus()
     QTest.keyClick(field, QtCore.Qt.Key_A, CONTROL)
     QTest.keyClicks(field, text)
     QTest.keyClick(field, QtCore.Qt.Key_Tab)
+    settle(0.1)
+
+
+def double_click_in_tree(label):
+    """Double click on an object in the tree of the model."""
+    combo = next(tab for tab in main_window().findChildren(QtGui.QTabWidget) if tab.objectName() == "combiTab")
+    combo.setCurrentIndex(0)
+    settle(0.1)
+    for tree in main_window().findChildren(QtGui.QTreeWidget):
+        for item in tree.findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive) if tree.isVisible() else ():
+            tree.scrollToItem(item)
+            at = tree.visualItemRect(item).center()
+            QTest.mouseClick(tree.viewport(), LEFT, NO_KEY, at)
+            QTest.mouseDClick(tree.viewport(), LEFT, NO_KEY, at)
+            settle(0.2)
+            return
+    raise LookupError(f"There is no {label} in the tree.")
+
+
+def type_shortcut(command):
+    """Press the keys of one of FreeCAD's commands, once it can be used."""
+    action = FreeCADGui.Command.get(command).getAction()[0]
+    wait_for(action.isEnabled, 10)
+    keys = action.shortcut()[0]
+    QTest.keyClick(main_window(), QtCore.Qt.Key(keys & 0x01FFFFFF), QtCore.Qt.KeyboardModifiers(keys & 0xFE000000))
     settle(0.1)
 
 

@@ -98,4 +98,4 @@ def _environment(home, folder, display, extra):
 
 
 if __name__ == "__main__":
-    print(json.dumps(run(sys.argv[1], ROOT / "build" / "gui" / pathlib.Path(sys.argv[1]).stem), indent=1))
+    print(json.dumps(run(sys.argv[1], ROOT / "build" / "gui" / pathlib.Path(sys.argv[1]).stem[len("macro_") :]), indent=1))
