@@ -120,11 +120,22 @@ std::string in_millions(double count) {
 
 }  // namespace
 
+namespace {
+
+double expected_count(const Model& model, const SweepOptions& options, double size) {
+  const double expected = expected_elements(model, interval_options(model, options, size));
+  return options.layers ? std::max(expected, static_cast<double>(*options.layers)) : expected;
+}
+
+bool is_explosion(const Model& model, const SweepOptions& options, double size) {
+  return expected_count(model, options, size) > static_cast<double>(options.max_elements);
+}
+
+}  // namespace
+
 void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
-  const IntervalOptions intervals = interval_options(model, options, size);
-  double expected = expected_elements(model, intervals);
-  if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
-  if (expected <= static_cast<double>(options.max_elements)) return;
+  if (!is_explosion(model, options, size)) return;
+  const double expected = expected_count(model, options, size);
   refuse("About " + in_millions(expected) +
          " elements are to be expected, more than the limit of " +
          in_millions(static_cast<double>(options.max_elements)) +
@@ -279,6 +290,7 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
+<<<<<<< HEAD
 std::string division_warning(const Model& model, const Scheme& scheme) {
   std::string faces;
   for (const FaceId f : model.faces())
@@ -291,6 +303,8 @@ std::string division_warning(const Model& model, const Scheme& scheme) {
          faces + ".";
 }
 
+=======
+>>>>>>> assess
 /// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
 /// straight where the solid has such sweeps.
 std::vector<std::size_t> tries(std::size_t n) {
@@ -327,6 +341,7 @@ bool mesh_first_possible(const Model& model, const SweepOptions& options, StageC
   return false;
 }
 
+<<<<<<< HEAD
 /// Warnings of schemes that failed have the numbers of the divided solid, which nobody knows.
 bool names_parts(const std::string& warning) {
   return warning.starts_with("The sweep from ");
@@ -358,6 +373,46 @@ bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& op
   std::erase_if(part.warnings, names_parts);
   std::ranges::move(part.warnings, std::back_inserter(result.warnings));
   return true;
+=======
+std::string text_of(double size) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", size);
+  return text;
+}
+
+/// As mesh_first_possible, and where that fails once more with other sizes near the wished one:
+/// then nodes lie elsewhere, and narrow places get other numbers of cells. The first failure
+/// counts.
+bool mesh_at_some_size(const Model& model, const SweepOptions& options, StageClock& clock,
+                       Context& context, SweepResult& result) {
+  const SweepResult begun = result;
+  std::optional<Assessment> refused;
+  std::exception_ptr first_error;
+  for (const double share : {1.0, 0.85, 1.2, 0.7}) try {
+      result.assessment = begun.assessment;
+      result.warnings = begun.warnings;
+      result.size = share * begun.size;
+      if (share < 1.0 && is_explosion(model, options, result.size)) continue;
+      if (mesh_first_possible(model, options, clock, context, result)) {
+        if (share != 1.0)
+          result.warnings.push_back("The element size is " + text_of(result.size) + ": with " +
+                                    text_of(begun.size) + " no valid mesh was found.");
+        return true;
+      }
+      if (!refused && !first_error) refused = result.assessment;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const SolverError&) {
+      if (!refused && !first_error) throw;
+    } catch (const Error&) {
+      if (!refused && !first_error) first_error = std::current_exception();
+    }
+  result.size = begun.size;
+  if (first_error) std::rethrow_exception(first_error);
+  result.assessment = *refused;
+  result.warnings.clear();
+  return false;
+>>>>>>> assess
 }
 
 }  // namespace
@@ -378,10 +433,15 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.0, "Looking for sources and targets");
   result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
+<<<<<<< HEAD
   const bool is_meshed = result.assessment.is_sweepable()
                              ? mesh_first_possible(model, options, clock, context, result)
                              : mesh_divided(model, picks, options, clock, context, result);
   if (!is_meshed) return result;
+=======
+  if (!result.assessment.is_sweepable()) return result;
+  if (!mesh_at_some_size(model, options, clock, context, result)) return result;
+>>>>>>> assess
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });

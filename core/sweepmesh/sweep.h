@@ -44,7 +44,7 @@ struct SweepResult {
   Intervals intervals;
   VolumeMesh mesh;
   QualityReport quality;  ///< of `mesh`
-  double size = 0.0;      ///< the element size that was used
+  double size = 0.0;      ///< the element size that was used, near the wished one
   std::vector<std::string> warnings;
   std::map<std::string, double>
       seconds;  ///< per stage: assess, imprint, intervals, surface, place, quality
@@ -52,7 +52,8 @@ struct SweepResult {
 
 /// Decides (or takes from `picks`) sources and targets, meshes caps and linking faces, and places
 /// the interior. Where the best scheme cannot be meshed, the next ones are tried; the one that was
-/// used is the first of result.assessment.schemes, and a warning tells of the others. Throws the
+/// used is the first of result.assessment.schemes, and a warning tells of the others. Where none
+/// can, sizes near the wished one are tried too (down to 0.7 of it), with a warning. Throws the
 /// stages' errors; a solid that cannot be swept is a normal result with reasons, and so is one
 /// whose elements stay inverted wherever the inner nodes are put (a geometric reason, no mesh).
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
