@@ -67,12 +67,8 @@ class Demands {
         need = std::max(need, needs[t.edge.index] * std::abs(f[1] - f[0]));
       }
       const double wish = std::max(need, std::exp(sum / weights));
-<<<<<<< HEAD
       const double weight =
           std::max(weights / e.traces.size(), need > 0.0 ? std::max(1.0, need) : 0.0);
-=======
-      const double weight = std::max(need, weights / e.traces.size());
->>>>>>> assess
       edge_.push_back(out_.problem.add({e.start == e.end ? 3.0 : 1.0, unbounded, wish, weight}));
     }
     for (const EdgeId e : model_.edges()) {

@@ -4,10 +4,6 @@
 #include <optional>
 #include <set>
 
-<<<<<<< HEAD
-=======
-#include "sweepmesh/imprint/leaning_face.h"
->>>>>>> assess
 #include "sweepmesh/imprint/stepped_panels.h"
 
 namespace sweepmesh {
@@ -15,7 +11,6 @@ namespace {
 
 class PanelFinder {
  public:
-<<<<<<< HEAD
   PanelFinder(const Model& model, const Scheme& scheme, const Walls& walls, const Reference& seen,
               const Heights& height)
       : model_(model),
@@ -24,10 +19,6 @@ class PanelFinder {
         seen_(seen),
         height_(height),
         curve_(walls.level.size()) {
-=======
-  PanelFinder(const Walls& walls, const Reference& seen)
-      : walls_(walls), seen_(seen), curve_(walls.level.size()) {
->>>>>>> assess
     for (const ReferenceCurve& c : seen.curves) curve_[c.edge.index] = &c;
   }
 
@@ -89,7 +80,6 @@ class PanelFinder {
     return level;
   }
 
-<<<<<<< HEAD
   // --- other faces -------------------------------------------------------------------------------
 
   void add_ruled(FaceId f) {
@@ -142,29 +132,29 @@ class PanelFinder {
 
   const Model& model_;
   const Scheme& scheme_;
-=======
->>>>>>> assess
   const Walls& walls_;
   const Reference& seen_;
+  const Heights& height_;
   std::vector<const ReferenceCurve*> curve_;
   std::vector<Panel> out_;
 };
 
-/// By lengths all along the face, or, where that is refused (holes), from level to level.
-std::vector<Panel> leaning(const Model& model, const Scheme& scheme, const Walls& walls,
-                           const Reference& seen, const LevelHeights& height, FaceId face) {
-  try {
-    return leaning_panels(model, scheme, walls, seen, height, face);
-  } catch (const ImprintError&) {
-    auto panels = stepped_panels(model, scheme, walls, seen, height, face);
-    if (panels.empty()) throw;
-    return panels;
+/// Inclined caps may have their means in another order than their levels.
+void keep_growing(Heights& height) {
+  constexpr double least_share = 0.01;  // of the mean distance between levels
+  if (height.empty()) return;
+  double low = height.begin()->second, high = low;
+  for (const auto& [level, h] : height) {
+    low = std::min(low, h);
+    high = std::max(high, h);
   }
+  const double least = least_share * (high - low) / static_cast<double>(height.size());
+  for (auto it = std::next(height.begin()); it != height.end(); ++it)
+    it->second = std::max(it->second, std::prev(it)->second + least);
 }
 
 }  // namespace
 
-<<<<<<< HEAD
 Heights level_heights(const Model& model, const Walls& walls, const Point3& direction) {
   std::map<int, std::pair<double, int>> sums;
   for (const EdgeId e : walls.edges) {
@@ -196,28 +186,6 @@ Panel ruled_panel(FaceId face, int low, int high, const Polyline& bottom, const 
 std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
                                const Reference& seen, const Heights& height) {
   return PanelFinder(model, scheme, walls, seen, height).run();
-=======
-Polyline Panel::at(double where) const {
-  const auto above = std::upper_bound(share.begin() + 1, share.end() - 1, where);
-  const std::size_t i = above - share.begin() - 1;
-  const double f = (where - share[i]) / (share[i + 1] - share[i]);
-  Polyline out = line[i];
-  for (std::size_t p = 0; p < out.size(); ++p) out[p] += f * (line[i + 1][p] - line[i][p]);
-  return out;
-}
-
-std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
-                               const Reference& seen, const LevelHeights& height) {
-  const PanelFinder finder(walls, seen);
-  std::vector<Panel> out;
-  for (const FaceId f : scheme.faces_with(FaceRole::linking)) {
-    if (walls.bottoms[f.index].empty() && walls.tops[f.index].empty()) continue;
-    const auto panels = is_upright(walls, seen, f) ? finder.upright(f)
-                                                   : leaning(model, scheme, walls, seen, height, f);
-    out.insert(out.end(), panels.begin(), panels.end());
-  }
-  return out;
->>>>>>> assess
 }
 
 }  // namespace sweepmesh

@@ -27,7 +27,6 @@ struct Panel {
   }
 };
 
-<<<<<<< HEAD
 /// Mean heights of the levels along a direction, by level; made to grow with the levels.
 using Heights = std::map<int, double>;
 Heights level_heights(const Model& model, const Walls& walls, const Point3& direction);
@@ -42,16 +41,5 @@ std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const W
 
 /// The panel between two lines, both along +i, in which columns join equal parts of the lengths.
 Panel ruled_panel(FaceId face, int low, int high, const Polyline& bottom, const Polyline& top);
-=======
-/// Heights of the levels along the sweep.
-using LevelHeights = std::map<int, double>;
-
-/// Of all linking faces; `seen` are the edges' curves as seen along the sweep. A face whose lower
-/// and upper edges lie over each other may have any profile; it is cut where its edges begin and
-/// end. Other faces: leaning_face.h, and where that refuses, stepped_panels.h. Throws ImprintError
-/// (unreachable) naming a face that is neither.
-std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
-                               const Reference& seen, const LevelHeights& height);
->>>>>>> assess
 
 }  // namespace sweepmesh

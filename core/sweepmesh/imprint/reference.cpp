@@ -1,7 +1,6 @@
 #include "sweepmesh/imprint/reference.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sweepmesh {
@@ -99,7 +98,6 @@ class Sampler {
 /// Whether each of `edges` lies over the edges `others`, at its ends and between.
 bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& others,
               const std::vector<const ReferenceCurve*>& curve, double tolerance) {
-<<<<<<< HEAD
   constexpr int n_parts = 32;
   for (const EdgeId e : edges) {
     const Polyline& line = curve[e.index]->points;
@@ -108,16 +106,6 @@ bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& other
       const Point2 p = at_arc(line, whole * i / n_parts).point;
       const bool is_over = std::any_of(others.begin(), others.end(), [&](EdgeId o) {
         return nearest(curve[o.index]->points, p).distance <= tolerance;
-=======
-  std::vector<const Polyline*> lines;
-  for (const EdgeId o : others) lines.push_back(&curve[o.index]->points);
-  for (const EdgeId e : edges) {
-    const Polyline& line = curve[e.index]->points;
-    for (const double arc : test_arcs(line, lines)) {
-      const Point2 p = at_arc(line, arc).point;
-      const bool is_over = std::any_of(lines.begin(), lines.end(), [&](const Polyline* other) {
-        return nearest(*other, p).distance <= tolerance;
->>>>>>> assess
       });
       if (!is_over) return false;
     }

@@ -137,18 +137,10 @@ bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
   return inside;
 }
 
-<<<<<<< HEAD
 namespace {
 
 /// The outline of a section as the boundary of a mesh, and its images.
 struct SectionOutline {
-=======
-std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
-                                   const std::vector<Point2>& points, double spacing,
-                                   Carrying carrying, const Context& context) {
-  if (loops.empty())
-    throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
->>>>>>> assess
   PlanarMesh mesh;
   std::vector<Point2> images;
   std::vector<std::vector<int>> loops;

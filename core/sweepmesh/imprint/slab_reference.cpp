@@ -12,40 +12,6 @@
 namespace sweepmesh {
 namespace {
 
-<<<<<<< HEAD
-=======
-/// Inclined caps may have their means in another order than their levels.
-void keep_growing(LevelHeights& height) {
-  constexpr double least_share = 0.01;  // of the mean distance between levels
-  if (height.empty()) return;
-  double low = height.begin()->second, high = low;
-  for (const auto& [level, h] : height) {
-    low = std::min(low, h);
-    high = std::max(high, h);
-  }
-  const double least = least_share * (high - low) / static_cast<double>(height.size());
-  for (auto it = std::next(height.begin()); it != height.end(); ++it)
-    it->second = std::max(it->second, std::prev(it)->second + least);
-}
-
-/// Mean height of every level, made to grow with the levels; these are numbered without gaps.
-LevelHeights level_heights(const Model& model, const Walls& walls, const Point3& direction) {
-  std::map<int, std::pair<double, int>> sums;
-  for (const EdgeId e : walls.edges) {
-    auto& [sum, n] = sums[walls.level[e.index]];
-    sum += direction.dot(model.point(model.start(e)));
-    ++n;
-  }
-  LevelHeights out;
-  for (const auto& [level, sum] : sums) out[level] = sum.first / sum.second;
-  for (std::size_t i = 0; i < walls.vertex_level.size(); ++i)
-    if (const int l = walls.vertex_level[i]; l >= 0 && !out.contains(l))
-      out[l] = direction.dot(model.point(VertexId{static_cast<int>(i)}));
-  keep_growing(out);
-  return out;
-}
-
->>>>>>> assess
 /// Of places on a line those that are more than `least` of arc apart, and both ends.
 std::vector<double> apart(const Polyline& line, const std::set<double>& positions, double least) {
   std::vector<double> out;
@@ -68,7 +34,6 @@ class SlabWalker {
              const Reference& seen, double size, const Context& context)
       : model_(model),
         walls_(walls),
-        direction_(direction),
         seen_(seen),
         size_(size),
         context_(context),
@@ -197,7 +162,6 @@ class SlabWalker {
                     ReferenceCurve& c) const {
     const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
     if (!free_faces.contains(f)) return;
-<<<<<<< HEAD
     const Point2 middle = at_arc(c.points, length(c.points) / 2).point;
     const Panel* panel = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -207,18 +171,10 @@ class SlabWalker {
       if (distance >= least) continue;
       least = distance;
       panel = &p;
-=======
-    std::vector<const Panel*> panels;
-    for (const Panel& p : panels_)
-      if (p.face == f && (upwards ? p.low : p.high) == level) panels.push_back(&p);
-    if (panels.empty()) return;
-    for (Point2& x : c.points) {
-      const auto foot = [&](const Panel* p) { return nearest(seen_at(*p, level), x); };
-      const Panel* p = *std::ranges::min_element(
-          panels, {}, [&](const Panel* panel) { return foot(panel).distance; });
-      x = at_position(p->at(0.5), foot(p).position).point;
->>>>>>> assess
     }
+    if (!panel) return;
+    const Polyline line = seen_at(*panel, level), half = panel->at(0.5);
+    for (Point2& x : c.points) x = at_position(half, nearest(line, x).position).point;
   }
 
   /// Points on the outline, and outside of it, move with the field; those inside by the section's
@@ -353,17 +309,12 @@ class SlabWalker {
         const PolylinePoint foot = nearest(line, x);
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
-    const std::vector<double> places = apart(line, positions, seen_.coincidence);
+    Polyline bottom, top;
     in_r_[p].clear();
-    for (const double at : places)
+    for (const double at : apart(line, positions, seen_.coincidence)) {
+      bottom.push_back(at_position(panel.bottom, at).point);
+      top.push_back(at_position(panel.top, at).point);
       in_r_[p].push_back(along_edges_or_panels(curves, met, level, at_position(line, at).point));
-<<<<<<< HEAD
-=======
-    for (Polyline& l : panel.line) {
-      Polyline fine;
-      for (const double at : places) fine.push_back(at_position(l, at).point);
-      l = std::move(fine);
->>>>>>> assess
     }
     panel.bottom = std::move(bottom);
     panel.top = std::move(top);
@@ -427,15 +378,10 @@ class SlabWalker {
 
   const Model& model_;
   const Walls& walls_;
-  const Point3 direction_;
   const Reference& seen_;
   const double size_;
   const Context& context_;
-<<<<<<< HEAD
   const Heights height_;
-=======
-  const LevelHeights height_;
->>>>>>> assess
   std::vector<Panel> panels_;
   std::vector<Polyline> in_r_;    ///< by panel, once known
   std::vector<char> is_known_;    ///< by curve: it is in R

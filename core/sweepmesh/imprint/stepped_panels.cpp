@@ -26,23 +26,10 @@ struct Rim {
   Polyline line;
 };
 
-/// In which columns join equal parts of the lengths.
-Panel ruled_panel(FaceId face, int low, int high, const Polyline& bottom, const Polyline& top) {
-  std::set<double> shares;  // of the length, at which either line has a point
-  for (const Polyline* l : {&bottom, &top})
-    for (const double arc : arc_lengths(*l)) shares.insert(arc / length(*l));
-  Panel panel{face, low, high, {0.0, 1.0}, {{}, {}}};
-  for (const double share : shares) {
-    panel.line[0].push_back(at_arc(bottom, share * length(bottom)).point);
-    panel.line[1].push_back(at_arc(top, share * length(top)).point);
-  }
-  return panel;
-}
-
 class StepCutter {
  public:
   StepCutter(const Model& model, const Scheme& scheme, const Walls& walls, const Reference& seen,
-             const LevelHeights& height, FaceId face)
+             const Heights& height, FaceId face)
       : model_(model),
         directions_(scheme.face[face.index].direction),
         walls_(walls),
@@ -196,7 +183,7 @@ class StepCutter {
   const std::vector<std::vector<Direction>>& directions_;
   const Walls& walls_;
   const Reference& seen_;
-  const LevelHeights& height_;
+  const Heights& height_;
   FaceId face_;
   std::vector<Side> sides_;
   std::vector<Rim> rims_;
@@ -207,7 +194,7 @@ class StepCutter {
 }  // namespace
 
 std::vector<Panel> stepped_panels(const Model& model, const Scheme& scheme, const Walls& walls,
-                                  const Reference& seen, const LevelHeights& height, FaceId face) {
+                                  const Reference& seen, const Heights& height, FaceId face) {
   return StepCutter(model, scheme, walls, seen, height, face).run();
 }
 

@@ -1,4 +1,4 @@
-// A leaning linking face with holes and steps, cut into panels from level to level.
+// A leaning linking face whose outline has steps, cut into panels from level to level.
 //
 //          +---------+   k = 2        Between two neighbouring levels of the face's own vertices its
 //         /  panel 2  \               axial edges, sorted along i, are the left and right sides of
@@ -13,11 +13,10 @@
 
 namespace sweepmesh {
 
-/// The strips of a face, in each of which columns join equal parts of the two ends' lengths. Empty
-/// where the sides do not pair off (an outline that turns back in i). Sides are compared by the
-/// parameters of the face, so a face that bends by more than a quarter turn in them along i is not
-/// understood.
+/// The strips of a face, each a ruled_panel. Empty where the sides do not pair off (an outline
+/// that turns back in i). Sides are compared by the parameters of the face, so a face that bends by
+/// more than a quarter turn in them along i is not understood.
 std::vector<Panel> stepped_panels(const Model& model, const Scheme& scheme, const Walls& walls,
-                                  const Reference& seen, const LevelHeights& height, FaceId face);
+                                  const Reference& seen, const Heights& height, FaceId face);
 
 }  // namespace sweepmesh
