@@ -105,7 +105,7 @@ IntervalOptions interval_options(const Model& model, const SweepOptions& options
 std::vector<double> merge_fractions(const SweepOptions& options, double size) {
   if (options.imprint_tolerance) return {std::min(1.0, *options.imprint_tolerance / size)};
   const double usual = ImprintOptions{}.merge_fraction;
-  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual};
+  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual, 0.0};
 }
 
 namespace {
@@ -190,8 +190,10 @@ BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
           boundary_with_merging(model, scheme, fraction, options, kind, clock, context, result);
       if (fraction != fractions.front())
         result.warnings.push_back(
-            "Curves of different caps are brought together where they are nearer than " +
-            std::to_string(std::lround(100 * fraction)) + " % of the element size.");
+            fraction == 0.0
+                ? std::string("Curves of different caps are not brought together, however near.")
+                : "Curves of different caps are brought together where they are nearer than " +
+                      std::to_string(std::lround(100 * fraction)) + " % of the element size.");
       return boundary;
     } catch (const InvalidMeshError&) {
       if (!first) first = std::current_exception();
