@@ -39,6 +39,12 @@ VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
   return mesh;
 }
 
+std::string merge_warning(double fraction) {
+  if (fraction == 0.0) return "Curves of different caps are not brought together, however near.";
+  return "Curves of different caps are brought together where they are nearer than " +
+         std::to_string(std::lround(100 * fraction)) + " % of the element size.";
+}
+
 class SchemeMesher {
  public:
   SchemeMesher(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
@@ -89,10 +95,7 @@ class SchemeMesher {
     std::exception_ptr first;
     for (const double fraction : fractions) try {
         BoundaryMesh boundary = with_merging(fraction);
-        if (fraction != fractions.front())
-          out_.warnings.push_back(
-              "Curves of different caps are brought together where they are nearer than " +
-              std::to_string(std::lround(100 * fraction)) + " % of the element size.");
+        if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
         return boundary;
       } catch (const Cancelled&) {
         throw;

@@ -95,7 +95,7 @@ IntervalOptions interval_options(const Model& model, const SweepOptions& options
 std::vector<double> merge_fractions(const SweepOptions& options, double size) {
   if (options.imprint_tolerance) return {std::min(1.0, *options.imprint_tolerance / size)};
   const double usual = ImprintOptions{}.merge_fraction;
-  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual};
+  return {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual, 0.0};
 }
 
 }  // namespace sweepmesh

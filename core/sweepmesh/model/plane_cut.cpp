@@ -79,9 +79,8 @@ Plane plane_of(const Model& model, FaceId face) {
 }
 
 CutPieces cut_by_plane(const Model& model, const Plane& plane) try {
-  return translated("The solid cannot be cut", [&] {
-    return pieces_of(model, model.impl().solid, plane);
-  });
+  return translated("The solid cannot be cut",
+                    [&] { return pieces_of(model, model.impl().solid, plane); });
 } catch (const InputError&) {
   return {};  // the pieces are not what can be read, or OpenCASCADE gave up
 }

@@ -19,7 +19,8 @@ class Candidates {
  public:
   Candidates(const Model& model, const std::vector<Reason>& reasons)
       : model_(model), problem_(sweep_problem(model, Context())) {
-    for (const Reason& reason : reasons) named_.insert(reason.entities.begin(), reason.entities.end());
+    for (const Reason& reason : reasons)
+      named_.insert(reason.entities.begin(), reason.entities.end());
   }
 
   std::vector<SuggestedCut> run() {
@@ -155,8 +156,7 @@ bool is_help(const Model& model, const CutOptions& options, SuggestedCut& candid
 
 bool is_better(const SuggestedCut& a, const SuggestedCut& b) {
   constexpr double rounding = 1e-6;
-  if (a.cut.pieces.size() != b.cut.pieces.size())
-    return a.cut.pieces.size() < b.cut.pieces.size();
+  if (a.cut.pieces.size() != b.cut.pieces.size()) return a.cut.pieces.size() < b.cut.pieces.size();
   return a.cost < b.cost - rounding;
 }
 
@@ -191,10 +191,9 @@ std::string sentence_of(const SuggestedCut& cut) {
                   shown(p.z()));
     return std::string(text);
   };
-  const std::string where = "the plane " +
-                            (cut.face.is_valid() ? "of " + name_of(cut.face) + ", " : "") +
-                            "through " + triple(cut.plane.point) + " with normal " +
-                            triple(cut.plane.normal);
+  const std::string where =
+      "the plane " + (cut.face.is_valid() ? "of " + name_of(cut.face) + ", " : "") + "through " +
+      triple(cut.plane.point) + " with normal " + triple(cut.plane.normal);
   return "Cut it along " + where + ": each of the " + std::to_string(cut.cut.pieces.size()) +
          " pieces can then be swept.";
 }
