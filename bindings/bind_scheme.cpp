@@ -1,7 +1,8 @@
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "sweepmesh/scheme/scheme.h"
+#include "sweepmesh/scheme/suggested_cut.h"
 
 namespace py = pybind11;
 
@@ -22,6 +23,11 @@ Picks make_picks(const std::vector<int>& sources, const std::vector<int>& target
   for (const auto& [face, vertex, type] : types)
     picks.types.push_back({FaceId{face}, VertexId{vertex}, type});
   return picks;
+}
+
+std::optional<SuggestedCut> suggest_cut_of(const Model& model, const std::vector<Reason>& reasons,
+                                           Context& context, int max_tries, double seconds) {
+  return suggest_cut(model, reasons, {.max_tries = max_tries, .seconds = seconds}, context);
 }
 
 }  // namespace
@@ -57,6 +63,17 @@ void bind_scheme(py::module_& module) {
   py::class_<Picks>(module, "Picks", "What the user chose; faces and vertices count from 0.")
       .def(py::init(&make_picks), py::arg("sources"), py::arg("targets"), py::arg("pairs"),
            py::arg("types"));
+  py::class_<SuggestedCut>(module, "SuggestedCut")
+      .def_property_readonly("point", [](const SuggestedCut& c) { return c.plane.point; })
+      .def_property_readonly("normal", [](const SuggestedCut& c) { return c.plane.normal; })
+      .def_property_readonly("face", [](const SuggestedCut& c) { return c.face.index; })
+      .def_property_readonly("pieces", [](const SuggestedCut& c) { return c.cut.pieces; })
+      .def_property_readonly("shape", [](const SuggestedCut& c) { return c.cut.shape; })
+      .def_property_readonly("text", &sentence_of);
+  module.def("suggest_cut", &suggest_cut_of, py::arg("model"), py::arg("reasons"),
+             py::arg("context"), py::arg("max_tries") = CutOptions{}.max_tries,
+             py::arg("seconds") = CutOptions{}.seconds,
+             py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace sweepmesh

@@ -1,6 +1,7 @@
 """Assess and mesh solids: plain values in, plain values out (no FreeCAD, no Qt)."""
 
 from sweepmesh.engine._sweepmesh import __version__
+from sweepmesh.engine.cuts import Cut, suggest_cut
 from sweepmesh.engine.errors import (
     Cancelled,
     InputError,
@@ -19,6 +20,7 @@ from sweepmesh.engine.stages import assess, mesh
 __all__ = [
     "Assessment",
     "Cancelled",
+    "Cut",
     "EdgeDirection",
     "Imprint",
     "InputError",
@@ -39,4 +41,5 @@ __all__ = [
     "mesh",
     "plan",
     "read",
+    "suggest_cut",
 ]
