@@ -130,6 +130,13 @@ void refuse_explosion(const Model& model, const SweepOptions& options, double si
          "; choose a larger size, or lift the limit (max_elements).");
 }
 
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
+
 bool is_one_to_one(const Scheme& scheme) {
   return scheme.faces_with(FaceRole::source).size() == 1 &&
          scheme.faces_with(FaceRole::target).size() == 1;
@@ -284,15 +291,6 @@ std::string division_warning(const Model& model, const Scheme& scheme) {
          faces + ".";
 }
 
-/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
-/// straight where the solid has such sweeps.
-std::vector<std::size_t> tries(std::size_t n) {
-  std::vector<std::size_t> out;
-  for (std::size_t s = 0; s < n; ++s)
-    if (s < 4 || s + 2 >= n) out.push_back(s);
-  return out;
-}
-
 /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
 /// warning tells of those before it. False: the solid turned out not to be sweepable, see the
 /// assessment. Throws the first scheme's error where all fail otherwise.
@@ -353,6 +351,22 @@ bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& op
   return true;
 }
 
+/// The solid as it is or, where that cannot be swept or meshed, divided. False: it cannot be swept.
+bool mesh_whole_or_divided(const Model& model, const Picks& picks, const SweepOptions& options,
+                           StageClock& clock, Context& context, SweepResult& result) {
+  if (!result.assessment.is_sweepable())
+    return mesh_divided(model, picks, options, clock, context, result);
+  try {
+    return mesh_first_possible(model, options, clock, context, result);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    result.warnings.clear();
+    if (mesh_divided(model, picks, options, clock, context, result)) return true;
+    throw;
+  }
+}
+
 }  // namespace
 
 double default_size(const Model& model) {
@@ -371,10 +385,7 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.0, "Looking for sources and targets");
   result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
-  const bool is_meshed = result.assessment.is_sweepable()
-                             ? mesh_first_possible(model, options, clock, context, result)
-                             : mesh_divided(model, picks, options, clock, context, result);
-  if (!is_meshed) return result;
+  if (!mesh_whole_or_divided(model, picks, options, clock, context, result)) return result;
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });

@@ -67,6 +67,9 @@ void refuse_explosion(const Model& model, const SweepOptions& options, double si
 IntervalOptions interval_options(const Model& model, const SweepOptions& options, double size);
 /// The parts of the size within which near curves are brought together, in the order of trying.
 std::vector<double> merge_fractions(const SweepOptions& options, double size);
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
+/// straight where the solid has such sweeps.
+std::vector<std::size_t> tries(std::size_t n);
 bool is_one_to_one(const Scheme& scheme);
 
 /// The size that fills the solid's volume with about 3000 cubes.

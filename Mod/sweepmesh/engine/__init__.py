@@ -9,6 +9,7 @@ from sweepmesh.engine.errors import (
     SweepMeshError,
 )
 from sweepmesh.engine.imprints import Imprint, imprint
+from sweepmesh.engine.face_types import FaceCorner, face_types
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
 from sweepmesh.engine.plans import EdgeDirection, SweepPlan, VirtualCorner, plan
@@ -20,6 +21,7 @@ __all__ = [
     "Assessment",
     "Cancelled",
     "EdgeDirection",
+    "FaceCorner",
     "Imprint",
     "InputError",
     "InvalidMeshError",
@@ -35,6 +37,7 @@ __all__ = [
     "__version__",
     "assess",
     "face_at",
+    "face_types",
     "imprint",
     "mesh",
     "plan",
