@@ -194,9 +194,11 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
 }
 
-std::vector<Point2> carried_smoothly(const std::vector<OutlinePart>& loops,
-                                     const std::vector<Point2>& points, double spacing,
-                                     const Context& context) {
+namespace {
+
+std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
+                               const std::vector<Point2>& points, double spacing,
+                               const Context& context) {
   SectionOutline section = outline_of(loops, spacing);
   PlanarMesh& mesh = section.mesh;
   add_grid(loops, spacing, mesh.points);
@@ -209,6 +211,19 @@ std::vector<Point2> carried_smoothly(const std::vector<OutlinePart>& loops,
   std::vector<Point2> out;
   for (const Point2& p : points) out.push_back(image_in(mesh, images, p));
   return out;
+}
+
+}  // namespace
+
+std::vector<Point2> carried_smoothly(const std::vector<OutlinePart>& loops,
+                                     const std::vector<Point2>& points, double spacing,
+                                     const Context& context) {
+  constexpr int n_refinements = 2;
+  for (int i = 0;; ++i) try {
+      return carried_at(loops, points, spacing / (1 << i), context);
+    } catch (const InvalidMeshError&) {
+      if (i == n_refinements) throw;
+    }
 }
 
 }  // namespace sweepmesh
