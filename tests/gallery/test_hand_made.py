@@ -8,15 +8,17 @@ from solids.kit import circle, polygon, vec
 
 
 def crank():
-    """A web between a pin above and a journal below that overlap in part, as those of a crankshaft do."""
+    """A web between a pin above and a journal below of nearly its size, as those of a crankshaft: their circles cross
+    at a small angle."""
     web = polygon([(-24, -18), (24, -18), (24, 18), (-24, 18)])
-    return Terraces(web, 10, [(circle(10, vec(7, 0, 0)), 14)], [(circle(11, vec(-7, 0, 0)), 12)])
+    return Terraces(web, 10, [(circle(10, vec(2, 0, 0)), 14)], [(circle(11, vec(-2, 0, 0)), 12)])
 
 
 def pads():
-    """A hexagonal pad above, a three-cornered one below; their outlines cross at many angles."""
-    plate = polygon([(-30, -24), (30, -24), (30, 24), (-30, 24)])
-    return Terraces(plate, 12, [(polygon(ring(14, (5, 2), 6, 0.2)), 9)], [(polygon(ring(17, (-4, -1), 3, 0.5)), 8)])
+    """Eight-cornered pads above and below, one a little beside the other: some of their sides run near each other."""
+    plate = polygon([(-26, -22), (26, -22), (26, 22), (-26, 22)])
+    above, below = ring(14, (1.6, 0.6), 8, 0.1), ring(15, (-1.6, -0.6), 8, 0.1)
+    return Terraces(plate, 12, [(polygon(above), 9)], [(polygon(below), 8)])
 
 
 def outer_area(mesh):
