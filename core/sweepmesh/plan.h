@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sweepmesh/scheme_mesh.h"
 #include "sweepmesh/sweep.h"
 
 namespace sweepmesh {

@@ -239,16 +239,19 @@ class PartSolver {
   bool solve_part(const std::vector<int>& part) {
     if (solve_program(part, false, options_.max_effort) != Outcome::solved) return false;
     const std::size_t few = 500;  // states: they decide most problems at once
-    const std::size_t many = std::max(few, 400'000 / part.size());
+    const std::size_t many = 400'000 / part.size();
+    const bool is_wide = many > 2 * few;  // else it would fail again
     if (!has_parity(part) || repair(part, 1, few)) return true;
     const std::vector<double> without_parity = value_;
-    const Outcome quick = try_program(part, short_part * options_.max_effort);
+    const double a_few_relaxations = 4.0 * last_effort_;
+    const Outcome quick =
+        try_program(part, std::max(short_part * options_.max_effort, a_few_relaxations));
     if (quick == Outcome::infeasible) return false;
     if (quick == Outcome::solved) {
-      if (!is_optimal_) improve_by_repair(part, many, without_parity);
+      if (!is_optimal_ && is_wide) improve_by_repair(part, many, without_parity);
       return true;
     }
-    return repair(part, 1, many) || repair(part, 2, many) ||
+    return (is_wide && (repair(part, 1, many) || repair(part, 2, many))) ||
            solve_program(part, true, options_.max_effort) == Outcome::solved;
   }
 
@@ -298,6 +301,7 @@ class PartSolver {
     const Solution s = solve(p.program(), how, context_);
     if (s.status == SolveStatus::infeasible) return Outcome::infeasible;
     is_optimal_ = is_optimal_ && s.status == SolveStatus::optimal;
+    last_effort_ = s.effort;
     for (const auto& [k, v] : p.variables()) value_[k] = s.values[v];
     return Outcome::solved;
   }
@@ -315,6 +319,7 @@ class PartSolver {
   std::vector<bool> fixed_;
   std::vector<double> start_, value_;
   bool is_optimal_ = true;
+  double last_effort_ = 0.0;
 };
 
 /// Class values, or nothing where infeasible. `is_optimal` is cleared when a part reached a limit.

@@ -53,6 +53,7 @@ class SweepPanel:
         """Show the settings of the mesh object, or those to start with."""
         form = self.widgets
         form.shapeName.setText(self._shape.Label)
+        form.shapeName.setToolTip(self._shape.Label)
         form.showRoles.setChecked(preferences.colour_faces())
         stored = self._stored_options()
         options = stored or self._first_options()

@@ -188,7 +188,7 @@ double cost(const IntegerProgram& program, const std::vector<double>& x) {
 /// lp_solve wants at least one column.
 Solution solve_empty(const IntegerProgram& program) {
   std::vector<double> none;
-  return {polish(program, none) ? SolveStatus::optimal : SolveStatus::infeasible, {}, 0.0};
+  return {polish(program, none) ? SolveStatus::optimal : SolveStatus::infeasible, {}, 0.0, 0.0};
 }
 
 }  // namespace
@@ -203,13 +203,14 @@ Solution solve(const IntegerProgram& program, const SolveOptions& options, Conte
     std::vector<double> values;
     const Attempt result = run(program, options, limits, setting, values);
     context.check(stage);
-    if (result == Attempt::infeasible) return {SolveStatus::infeasible, {}, 0.0};
+    if (result == Attempt::infeasible) return {SolveStatus::infeasible, {}, 0.0, 0.0};
     if (result == Attempt::unbounded)
       throw SolverError(stage, "The linear program has no finite optimum.");
     if (result != Attempt::failed) {
       const bool cut = result == Attempt::cut_short;
       const double objective = cost(program, values);
-      return {cut ? SolveStatus::feasible_at_limit : SolveStatus::optimal, values, objective};
+      return {cut ? SolveStatus::feasible_at_limit : SolveStatus::optimal, values, objective,
+              options.max_effort - limits.effort_left};
     }
     if (limits.effort_left <= 0.0 || Clock::now() >= limits.end)
       throw SolverError(stage, "lp_solve found no solution within its limits.");

@@ -73,6 +73,7 @@ struct Solution {
   SolveStatus status = SolveStatus::infeasible;
   std::vector<double> values;  ///< of the variables (integers exactly so); empty where infeasible
   double objective = 0.0;
+  double effort = 0.0;  ///< that it took, see SolveOptions
 };
 
 /// Throws InputError for a malformed program (index out of range, crossed bounds, not a number),
