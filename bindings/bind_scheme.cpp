@@ -2,7 +2,8 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "sweepmesh/scheme/suggested_cut.h"
+#include "sweepmesh/scheme/face_types.h"
+#include "sweepmesh/scheme/scheme.h"
 
 namespace py = pybind11;
 
@@ -25,9 +26,26 @@ Picks make_picks(const std::vector<int>& sources, const std::vector<int>& target
   return picks;
 }
 
-std::optional<SuggestedCut> suggest_cut_of(const Model& model, const std::vector<Reason>& reasons,
-                                           Context& context, int max_tries, double seconds) {
-  return suggest_cut(model, reasons, {.max_tries = max_tries, .seconds = seconds}, context);
+std::vector<TypedCorner> face_types(const Model& model, int face, const Picks& picks,
+                                    TypeModel type_model, bool has_templates, Context& context) {
+  return types_of_face(model, FaceId{face}, {type_model, has_templates, picks.types}, context);
+}
+
+void bind_face_types(py::module_& module) {
+  py::enum_<TypeModel>(module, "TypeModel")
+      .value("fewest_changes", TypeModel::fewest_changes)
+      .value("ruiz_girones", TypeModel::ruiz_girones);
+  py::class_<TypedCorner>(module, "TypedCorner")
+      .def_readonly("loop", &TypedCorner::loop)
+      .def_property_readonly("vertex", [](const TypedCorner& c) { return c.vertex.index; })
+      .def_property_readonly("edge", [](const TypedCorner& c) { return c.edge.index; })
+      .def_readonly("point", &TypedCorner::point)
+      .def_readonly("angle", &TypedCorner::angle)
+      .def_readonly("nearest", &TypedCorner::nearest)
+      .def_readonly("type", &TypedCorner::type);
+  module.def("face_types", &face_types, py::arg("model"), py::arg("face"), py::arg("picks"),
+             py::arg("type_model"), py::arg("has_templates"), py::arg("context"),
+             py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace
@@ -63,17 +81,7 @@ void bind_scheme(py::module_& module) {
   py::class_<Picks>(module, "Picks", "What the user chose; faces and vertices count from 0.")
       .def(py::init(&make_picks), py::arg("sources"), py::arg("targets"), py::arg("pairs"),
            py::arg("types"));
-  py::class_<SuggestedCut>(module, "SuggestedCut")
-      .def_property_readonly("point", [](const SuggestedCut& c) { return c.plane.point; })
-      .def_property_readonly("normal", [](const SuggestedCut& c) { return c.plane.normal; })
-      .def_property_readonly("face", [](const SuggestedCut& c) { return c.face.index; })
-      .def_property_readonly("pieces", [](const SuggestedCut& c) { return c.cut.pieces; })
-      .def_property_readonly("shape", [](const SuggestedCut& c) { return c.cut.shape; })
-      .def_property_readonly("text", &sentence_of);
-  module.def("suggest_cut", &suggest_cut_of, py::arg("model"), py::arg("reasons"),
-             py::arg("context"), py::arg("max_tries") = CutOptions{}.max_tries,
-             py::arg("seconds") = CutOptions{}.seconds,
-             py::call_guard<py::gil_scoped_release>());
+  bind_face_types(module);
 }
 
 }  // namespace sweepmesh

@@ -10,6 +10,7 @@ from sweepmesh.engine.errors import (
     SweepMeshError,
 )
 from sweepmesh.engine.imprints import Imprint, imprint
+from sweepmesh.engine.face_types import FaceCorner, face_types
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
 from sweepmesh.engine.plans import EdgeDirection, SweepPlan, VirtualCorner, plan
@@ -22,6 +23,7 @@ __all__ = [
     "Cancelled",
     "Cut",
     "EdgeDirection",
+    "FaceCorner",
     "Imprint",
     "InputError",
     "InvalidMeshError",
@@ -37,6 +39,7 @@ __all__ = [
     "__version__",
     "assess",
     "face_at",
+    "face_types",
     "imprint",
     "mesh",
     "plan",
