@@ -200,3 +200,11 @@ def test_two_runs_write_the_same_bytes(sweepmesh, shapes, tmp_path):
     for name, threads in (("one.vtu", 1), ("two.vtu", 2)):
         sweepmesh(shapes / "brick.step", "--size", 3, "--threads", threads, "--out", name)
     assert (tmp_path / "one.vtu").read_bytes() == (tmp_path / "two.vtu").read_bytes()
+
+
+def test_a_cut_is_suggested_on_asking(sweepmesh, shapes, tmp_path):
+    done = sweepmesh(shapes / "voids.step", "--assess", "--report", "report.json")
+    cut = json.loads((tmp_path / "report.json").read_text())["suggested_cut"]
+    assert cut is None or (cut["pieces"] >= 2 and cut["text"] in done.stdout and len(cut["normal"]) == 3)
+    sweepmesh(shapes / "box.step", "--assess", "--report", "report.json")
+    assert json.loads((tmp_path / "report.json").read_text())["suggested_cut"] is None
