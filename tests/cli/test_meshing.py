@@ -203,8 +203,10 @@ def test_two_runs_write_the_same_bytes(sweepmesh, shapes, tmp_path):
 
 
 def test_a_cut_is_suggested_on_asking(sweepmesh, shapes, tmp_path):
+    """The ball with two voids is parted between them; a brick needs no cut."""
     done = sweepmesh(shapes / "voids.step", "--assess", "--report", "report.json")
     cut = json.loads((tmp_path / "report.json").read_text())["suggested_cut"]
-    assert cut is None or (cut["pieces"] >= 2 and cut["text"] in done.stdout and len(cut["normal"]) == 3)
-    sweepmesh(shapes / "box.step", "--assess", "--report", "report.json")
+    assert cut["pieces"] == 2 and cut["text"] in done.stdout
+    assert abs(abs(cut["normal"][0]) - 1) < 1e-9 and abs(cut["point"][0]) < 1e-6
+    sweepmesh(shapes / "brick.step", "--assess", "--report", "report.json")
     assert json.loads((tmp_path / "report.json").read_text())["suggested_cut"] is None

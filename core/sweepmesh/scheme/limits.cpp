@@ -56,7 +56,7 @@ AngleLimits lenient_limits() {
 
 AngleLimits sharp_limits() {
   AngleLimits out = tangent_limits();
-  out.edge_deviation = 75 * kQuarterTurn / 90;
+  out.edge_deviation = 65 * kQuarterTurn / 90;
   return out;
 }
 
