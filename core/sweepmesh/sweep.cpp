@@ -197,8 +197,8 @@ BoundaryMesh boundary_of_shell(const Model& model, const Scheme& scheme,
   context.report(0.05, "Matching sources and targets");
   const Shell shell = clock.run("imprint", [&] { return find_shell(model, scheme, context); });
   context.report(0.1, "Choosing intervals");
-  const ShellCounts counts = clock.run(
-      "intervals", [&] { return count_shell(model, scheme, shell, options, context); });
+  const ShellCounts counts =
+      clock.run("intervals", [&] { return count_shell(model, scheme, shell, options, context); });
   result.intervals = counts.intervals;
   context.report(0.2, "Meshing the surface");
   return clock.run("surface", [&] {
@@ -271,8 +271,8 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
-/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are straight
-/// where the solid has such sweeps.
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
+/// straight where the solid has such sweeps.
 std::vector<std::size_t> tries(std::size_t n) {
   std::vector<std::size_t> out;
   for (std::size_t s = 0; s < n; ++s)
