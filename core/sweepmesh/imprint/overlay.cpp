@@ -27,6 +27,7 @@ class Overlayer {
         context_(context) {}
 
   Overlay run() {
+    find_curves_at_vertices();
     make_nodes();
     find_corners();
     make_pieces();
@@ -43,6 +44,14 @@ class Overlayer {
 
  private:
   // --- nodes -------------------------------------------------------------------------------------
+
+  void find_curves_at_vertices() {
+    curves_at_.resize(model_.n_vertices());
+    for (const ReferenceCurve& c : reference_.curves) {
+      curves_at_[model_.start(c.edge).index].push_back({&c, true});
+      curves_at_[model_.end(c.edge).index].push_back({&c, false});
+    }
+  }
 
   /// CAD vertices joined by axial edges are a column; columns that lie near each other and do not
   /// collide are a node.
@@ -118,10 +127,8 @@ class Overlayer {
   /// The edges that end in a vertex, each a little way along it.
   std::vector<Place> places_at(VertexId v) const {
     std::vector<Place> out;
-    for (const ReferenceCurve& c : reference_.curves) {
-      if (model_.start(c.edge) == v) out.push_back({c.edge, beside(c.points, true)});
-      if (model_.end(c.edge) == v) out.push_back({c.edge, beside(c.points, false)});
-    }
+    for (const auto& [curve, at_start] : curves_at_[v.index])
+      out.push_back({curve->edge, beside(curve->points, at_start)});
     return out;
   }
 
@@ -294,11 +301,10 @@ class Overlayer {
   /// The curves that end in a vertex, with their unit directions away from it.
   std::vector<std::pair<EdgeId, Point2>> directions_at(VertexId v) const {
     std::vector<std::pair<EdgeId, Point2>> out;
-    for (const ReferenceCurve& c : reference_.curves) {
-      const auto& p = c.points;
-      if (model_.start(c.edge) == v) out.push_back({c.edge, (p[1] - p[0]).normalized()});
-      if (model_.end(c.edge) == v)
-        out.push_back({c.edge, (p[p.size() - 2] - p.back()).normalized()});
+    for (const auto& [curve, at_start] : curves_at_[v.index]) {
+      const auto& p = curve->points;
+      const Point2 away = at_start ? Point2(p[1] - p[0]) : Point2(p[p.size() - 2] - p.back());
+      out.push_back({curve->edge, away.normalized()});
     }
     return out;
   }
@@ -493,6 +499,11 @@ class Overlayer {
   const double near_;
   const Context& context_;
   static constexpr double corner_ = 0.35;  ///< radians; what turns less is smooth
+  struct CurveEnd {
+    const ReferenceCurve* curve;
+    bool at_start;
+  };
+  std::vector<std::vector<CurveEnd>> curves_at_;  ///< by VertexId
   PieceGraph graph_;
   std::vector<char> is_corner_;  ///< by node: it may still be moved
   struct CadColumn {

@@ -17,11 +17,6 @@ struct OutlinePart {
 /// where an end finds no partner.
 std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, double tolerance);
 
-/// even: triangles of the section keep their shapes where they can, so that what is narrow stays as
-/// wide as it can be. smooth: the map is harmonic wherever that has no folds, so smooth curves stay
-/// smooth.
-enum class Carrying { even, smooth };
-
 /// Images in R of points inside the section. The section is triangulated with the points as
 /// vertices and others about `spacing` apart, and mapped as a cap is (cap_map.h): harmonic, with
 /// positive weights, and free of folds. Throws InvalidMeshError where no map without folds is
@@ -29,7 +24,15 @@ enum class Carrying { even, smooth };
 /// outline's.
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
-                                   Carrying carrying, const Context& context);
+                                   const Context& context);
+
+/// The same for curves that are to be drawn: the points are no vertices of the triangulation, which
+/// is harmonic wherever that has no folds, so smooth curves stay smooth. Points may be anywhere
+/// inside. Where no map without folds is found, smaller spacings are tried. Quadratic in points and
+/// triangles together.
+std::vector<Point2> carried_smoothly(const std::vector<OutlinePart>& loops,
+                                     const std::vector<Point2>& points, double spacing,
+                                     const Context& context);
 
 /// Whether a point lies inside the loops.
 bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p);

@@ -258,8 +258,8 @@ class SlabWalker {
                            i < n ? seen_at_height(panels_[p], there) : in_r_[p]};
       });
       if (largest_move(parts) > seen_.coincidence)
-        points = carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_,
-                                Carrying::even, context_);
+        points =
+            carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_, context_);
     }
     return points;
   }

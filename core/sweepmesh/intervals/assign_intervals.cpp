@@ -61,7 +61,8 @@ SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, Interv
   context.check(stage);
   const Separation separation(model, scheme, options.size);
   separation.add_gaps(demands);
-  CountOptions how{.time_limit_seconds = options.time_limit_seconds};
+  CountOptions how;
+  how.time_limit_seconds = options.time_limit_seconds.value_or(unbounded);
   const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
   std::optional<SolvedIntervals> best;
   for (int round = 0; round < max_rounds; ++round) {

@@ -38,7 +38,9 @@ struct IntervalOptions {
   /// should miss it: small segments of circles need more edges than their length and turn say.
   double max_area_error = 0.07;
   bool quad_caps = true;             ///< caps are meshed by quads: their boundaries need even sums
-  double time_limit_seconds = 10.0;  ///< of the integer solver, for each independent part
+  /// Seconds for the integer solver, for each independent part, > 0; empty: only its work is
+  /// limited, so the counts do not depend on the machine.
+  std::optional<double> time_limit_seconds = {};
 };
 
 }  // namespace sweepmesh

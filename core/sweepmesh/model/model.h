@@ -117,9 +117,10 @@ class Model {
 
   struct Impl;
   const Impl& impl() const { return *impl_; }  ///< for model/ itself
-  friend struct DividedModel divide(const Model& model, const std::vector<struct FaceCut>& cuts);
 
  private:
+  friend struct DividedModel divide_model(const Model& model,
+                                          const std::vector<struct FaceCut>& cuts);
   explicit Model(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<const Impl> impl_;
 };

@@ -226,6 +226,13 @@ class Assessor {
         asked_(with_types(chosen_, picks.types)) {}
 
   Assessment assess() {
+    Assessment out = judge();
+    out.folds = !out.is_sweepable() && opposed_;
+    return out;
+  }
+
+ private:
+  Assessment judge() {
     for (const auto& [id, states] : asked_) index_of(problem_, id);
     check_types(picks_);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
@@ -250,7 +257,6 @@ class Assessor {
     return refuse(lenient);
   }
 
- private:
   std::optional<Assessment> try_with(const Network& network, const std::vector<Pick>& picks) {
     SearchResult result = search(network, picks, context_);
     if (result.divisions.empty()) {

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "sweepmesh/model/divide.h"
+#include "sweepmesh/model/divided_model.h"
 #include "sweepmesh/scheme/templates.h"
 
 namespace sweepmesh {

@@ -50,7 +50,7 @@ std::vector<Edge> edges_to_split(const std::vector<Triangle>& triangles,
   };
   std::vector<Candidate> all;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    constexpr double most_share = 2.0;  // of the size, what a long boundary edge may ask for
+    constexpr double most_share = 1.25;  // of the size, what a long boundary edge may ask for
     double least = size;
     std::vector<Candidate> inside;
     for (int i = 0; i < 3; ++i) {

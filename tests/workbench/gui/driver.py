@@ -1,4 +1,5 @@
 """Mouse, pictures and bookkeeping for macros that test the GUI from inside FreeCAD."""
+import faulthandler
 import json
 import os
 import pathlib
@@ -19,6 +20,8 @@ results = {"checks": {}, "values": {}}
 
 def go(steps):
     """Run `steps` once FreeCAD is up; write results.json and end FreeCAD, whatever happens."""
+    seconds = float(os.environ.get("SWEEPMESH_TEST_SECONDS", 280))
+    faulthandler.dump_traceback_later(seconds, exit=True, file=open(OUT / "hang.txt", "w", encoding="utf-8"))
     QtCore.QTimer.singleShot(0, lambda: _run(steps))
 
 
@@ -38,8 +41,10 @@ def _run(steps):
 
 
 def check(name, truth):
-    """Note whether something is as it should be; the test outside reports what was not."""
-    results["checks"][name] = bool(truth)
+    """Note whether something is as it should be; the test outside reports what was not. A function is waited for."""
+    results["checks"][name] = bool(wait_for(truth) if callable(truth) else truth)
+    if not results["checks"][name]:
+        picture(f"failed_{len(results['checks'])}")
 
 
 def note(name, value):
@@ -58,7 +63,7 @@ def settle(seconds=0.25):
         time.sleep(0.005)
 
 
-def wait_for(condition, seconds=30):
+def wait_for(condition, seconds=60):
     """Let Qt work until `condition()`; False when it did not come true in time."""
     end = time.time() + seconds
     while time.time() < end:
@@ -116,10 +121,17 @@ def click_vertex(obj, name, key=NO_KEY):
 
 
 def click_face(obj, name, key=NO_KEY):
-    """Click on the middle of a face that can be seen."""
-    face = obj.Shape.getElement(name)
-    u0, u1, v0, v1 = face.ParameterRange
-    click_point(face.valueAt((u0 + u1) / 2, (v0 + v1) / 2), key)
+    """Click on a face that can be seen: where it is widest."""
+    points, triangles = obj.Shape.getElement(name).tessellate(0.01 * obj.Shape.BoundBox.DiagonalLength)
+    corners = max(([points[i] for i in three] for three in triangles), key=_narrowest)
+    click_point((corners[0] + corners[1] + corners[2]) * (1 / 3), key)
+
+
+def _narrowest(corners):
+    """The radius of the circle in a triangle."""
+    a, b, c = corners
+    area = (b - a).cross(c - a).Length / 2
+    return 2 * area / ((b - a).Length + (c - b).Length + (a - c).Length)
 
 
 def _canvas():
@@ -177,8 +189,9 @@ def choose(name, index):
     box = widget(name)
     reveal(box)
     box.setFocus()
-    while box.currentIndex() != index:
-        QTest.keyClick(box, QtCore.Qt.Key_Down if box.currentIndex() < index else QtCore.Qt.Key_Up)
+    for _ in range(box.count()):
+        if box.currentIndex() != index:
+            QTest.keyClick(box, QtCore.Qt.Key_Down if box.currentIndex() < index else QtCore.Qt.Key_Up)
     settle(0.1)
 
 
@@ -228,6 +241,36 @@ def double_click_in_tree(label):
             settle(0.2)
             return
     raise LookupError(f"There is no {label} in the tree.")
+
+
+def answer_file_dialog(command, path, name_filter="", wants_picture=False):
+    """Run a command of FreeCAD's that asks for a file, and name the file; the filter is the first with that text."""
+    asked = []
+
+    def answer():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if not isinstance(dialog, QtGui.QFileDialog):
+            if not asked and time.time() < give_up:
+                QtCore.QTimer.singleShot(50, answer)
+            return
+        asked.append(dialog)
+        chosen = [each for each in dialog.nameFilters() if name_filter in each]
+        dialog.selectNameFilter(chosen[0])
+        dialog.setDirectory(str(path.parent))
+        accept = dialog.findChild(QtGui.QDialogButtonBox).buttons()[0]
+        while dialog.isVisible() and time.time() < give_up:  # the dialog looks into the folder meanwhile
+            dialog.selectFile(str(path))
+            settle(0.2)
+            if wants_picture:
+                picture(f"dialog_{path.suffix[1:]}")
+            QTest.mouseClick(accept, LEFT)
+            settle(0.2)
+
+    give_up = time.time() + 60
+    QtCore.QTimer.singleShot(50, answer)
+    FreeCADGui.runCommand(command)
+    settle()
+    return bool(asked)
 
 
 def type_shortcut(command):

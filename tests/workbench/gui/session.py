@@ -18,6 +18,7 @@ _USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParamGroup Name="Mod">
  <FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup>
 </FCParamGroup>
+<FCParamGroup Name="Dialog"><FCBool Name="DontUseNativeFileDialog" Value="1"/></FCParamGroup>
 <FCParamGroup Name="View"><FCBool Name="ShowNaviCube" Value="0"/></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """

@@ -30,6 +30,6 @@ struct DividedModel {
 /// Cuts the faces and divides the edges where cuts end. A face that is closed upon itself loses its
 /// seam where cuts divide it: pieces run on across it. Throws Error("divide") where OpenCASCADE
 /// cannot do it or the result is not the same solid. Cost: one general fuse.
-DividedModel divide(const Model& model, const std::vector<FaceCut>& cuts);
+DividedModel divide_model(const Model& model, const std::vector<FaceCut>& cuts);
 
 }  // namespace sweepmesh

@@ -1,4 +1,4 @@
-#include "sweepmesh/model/divide.h"
+#include "sweepmesh/model/divided_model.h"
 
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -156,6 +156,12 @@ void check(const Model& model, const DividedModel& divided) {
       fail("a cut ends inside of a face");
 }
 
+std::shared_ptr<const Model::Impl> read_back(const TopoDS_Shape& shape) try {
+  return make_impl(shape, 0);
+} catch (const InputError&) {
+  fail("what the cuts leave is not a solid");
+}
+
 template <class Id>
 std::vector<Id> as_ids(const std::vector<int>& indices) {
   std::vector<Id> out;
@@ -165,13 +171,13 @@ std::vector<Id> as_ids(const std::vector<int>& indices) {
 
 }  // namespace
 
-DividedModel divide(const Model& model, const std::vector<FaceCut>& cuts) {
+DividedModel divide_model(const Model& model, const std::vector<FaceCut>& cuts) {
   return translated("The solid cannot be divided along its rounds", [&] {
-    const Model::Impl& impl = *model.impl_;
+    const Model::Impl& impl = model.impl();
     const Task task = task_of(model, cuts);
     std::vector<Step> steps = {cut_faces(impl, task.cuts)};
     steps.push_back(join_over(task.seams, impl, steps.front()));
-    const auto made = make_impl(steps.back().shape, 0);
+    const auto made = read_back(steps.back().shape);
     DividedModel out{Model(made), {}, {}, {}, {}, {}};
     out.face = as_ids<FaceId>(origins(model.faces(), impl.face_map, made->face_map, steps));
     out.edge = as_ids<EdgeId>(origins(model.edges(), impl.edge_map, made->edge_map, steps));
