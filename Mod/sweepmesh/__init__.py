@@ -13,6 +13,7 @@
 from sweepmesh.engine import (
     Assessment,
     Cancelled,
+    Cut,
     InputError,
     InvalidMeshError,
     Model,
@@ -27,12 +28,14 @@ from sweepmesh.engine import (
     face_at,
     mesh,
     read,
+    suggest_cut,
 )
 from sweepmesh.output import write
 
 __all__ = [
     "Assessment",
     "Cancelled",
+    "Cut",
     "InputError",
     "InvalidMeshError",
     "Model",
@@ -47,5 +50,6 @@ __all__ = [
     "face_at",
     "mesh",
     "read",
+    "suggest_cut",
     "write",
 ]

@@ -1,6 +1,7 @@
 """Assess and mesh solids: plain values in, plain values out (no FreeCAD, no Qt)."""
 
 from sweepmesh.engine._sweepmesh import __version__
+from sweepmesh.engine.cuts import Cut, suggest_cut
 from sweepmesh.engine.errors import (
     Cancelled,
     InputError,
@@ -20,6 +21,7 @@ from sweepmesh.engine.stages import assess, mesh
 __all__ = [
     "Assessment",
     "Cancelled",
+    "Cut",
     "EdgeDirection",
     "FaceCorner",
     "Imprint",
@@ -42,4 +44,5 @@ __all__ = [
     "mesh",
     "plan",
     "read",
+    "suggest_cut",
 ]
