@@ -1,7 +1,11 @@
 #include "sweepmesh/imprint_shapes.h"
 
+#include <map>
+#include <utility>
+
 #include "sweepmesh/imprint/divided_caps.h"
 #include "sweepmesh/imprint/imprint_caps.h"
+#include "sweepmesh/imprint/shell.h"
 #include "sweepmesh/sweep_solids.h"
 
 namespace sweepmesh {
@@ -15,6 +19,17 @@ std::vector<CapDivision> whole_caps(const Model& model, const Scheme& scheme) {
   return out;
 }
 
+/// The caps of a shell stay whole: its sources and targets are divided alike (shell.h).
+std::vector<CapDivision> caps_of_shell(const Model& model, const Shell& shell) {
+  std::map<std::pair<FaceId, FaceId>, int> pairs;
+  for (const ShellPatch& p : shell.patches)
+    pairs.try_emplace({p.source, p.target}, static_cast<int>(pairs.size()));
+  std::vector<CapDivision> out;
+  for (const auto& [faces, pair] : pairs)
+    for (const FaceId f : {faces.first, faces.second}) out.push_back({{model, f, {}}, {}, pair});
+  return out;
+}
+
 class ShapeMaker {
  public:
   ShapeMaker(ImprintShapes& out, double merge_fraction, Context& context)
@@ -22,6 +37,11 @@ class ShapeMaker {
 
   void add_solid(const Model& model, const Scheme& scheme) {
     if (is_one_to_one(scheme)) return add(whole_caps(model, scheme), scheme, 1);
+    if (is_shell_like(model, scheme)) {
+      auto caps = caps_of_shell(model, find_shell(model, scheme, context_));
+      const int n_pairs = static_cast<int>(caps.size()) / 2;
+      return add(std::move(caps), scheme, n_pairs);
+    }
     const Imprint imprint = imprint_caps(
         model, scheme, {.size = out_.size, .merge_fraction = merge_fraction_}, context_);
     int n_runs = 0;

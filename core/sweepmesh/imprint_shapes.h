@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sweepmesh/imprint/imprint.h"
+#include "sweepmesh/scheme_mesh.h"
 #include "sweepmesh/sweep.h"
 
 namespace sweepmesh {

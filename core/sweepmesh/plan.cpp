@@ -1,7 +1,12 @@
 #include "sweepmesh/plan.h"
 
+#include <algorithm>
+#include <exception>
+
+#include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
+#include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 
 namespace sweepmesh {
@@ -14,7 +19,23 @@ std::vector<CornerType> corners_of(const Model& model, const Scheme& scheme) {
     const auto& types = scheme.face[face.index].type;
     for (std::size_t l = 0; l < loops.size(); ++l)
       for (std::size_t c = 0; c < loops[l].size(); ++c)
-        out.push_back({face, loops[l][c].end, types[l][c]});
+        out.push_back({face, loops[l][c].end, types[l][c], model.point(loops[l][c].end)});
+  }
+  return out;
+}
+
+std::vector<EdgeDirection> directions_of(const Model& model, const Scheme& scheme,
+                                         const Intervals& intervals) {
+  std::vector<EdgeDirection> out;
+  for (const FaceId face : scheme.faces_with(FaceRole::linking)) {
+    const auto& loops = model.loops(face);
+    const auto& direction = scheme.face[face.index].direction;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0; i < loops[l].size(); ++i) {
+        const Coedge& c = loops[l][i];
+        out.push_back({face, c.edge, direction[l][i], c.reversed, model.point(c.start),
+                       model.point(c.end), intervals.edge[c.edge.index]});
+      }
   }
   return out;
 }
@@ -36,6 +57,14 @@ void plan_one_to_one(const Model& model, const Scheme& scheme, const IntervalOpt
   plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
 }
 
+/// Nodes on cuts through the caps belong to no edge and are left out.
+void plan_shell(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                Context& context, SweepPlan& plan) {
+  const Shell shell = find_shell(model, scheme, context);
+  plan.intervals = count_shell(model, scheme, shell, options, context).intervals;
+  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+}
+
 void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fraction,
                     const IntervalOptions& options, Context& context, SweepPlan& plan) {
   const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
@@ -43,6 +72,55 @@ void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fract
   const ImprintCounts counts = count_imprint(model, scheme, imprint, options, context);
   plan.intervals = counts.intervals;
   plan.edge_nodes = points_of(model, place_imprinted_nodes(model, imprint, counts, options));
+}
+
+}  // namespace
+
+namespace {
+
+/// Of the best scheme of plan.assessment.
+void fill_best(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
+  const Scheme& scheme = plan.assessment.schemes.front();
+  plan.corners = corners_of(model, scheme);
+  const IntervalOptions intervals = interval_options(model, options, plan.size);
+  if (is_shell_like(model, scheme))
+    plan_shell(model, scheme, intervals, context, plan);
+  else if (is_one_to_one(scheme))
+    plan_one_to_one(model, scheme, intervals, context, plan);
+  else
+    plan_imprinted(model, scheme, merge_fractions(options, plan.size).front(), intervals, context,
+                   plan);
+  plan.directions = directions_of(model, scheme, plan.intervals);
+}
+
+/// Of the first scheme whose intervals can be had, as sweep() does; that is then the best. Throws
+/// the first error where there is none.
+void fill(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
+  auto& schemes = plan.assessment.schemes;
+  std::exception_ptr first_error;
+  for (const std::size_t s : tries(schemes.size())) try {
+      std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
+      return fill_best(model, options, context, plan);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error&) {
+      if (!first_error) first_error = std::current_exception();
+      std::rotate(schemes.begin(), schemes.begin() + 1, schemes.begin() + s + 1);
+    }
+  std::rethrow_exception(first_error);
+}
+
+/// The same plan where the solid cannot be divided.
+SweepPlan plan_of_divided(const Model& model, const Picks& picks, const SweepOptions& options,
+                          Context& context, const SweepPlan& whole) {
+  if (!may_be_divided(whole.assessment)) return whole;
+  const auto divided = divide_to_sweep(model, picks, options, context);
+  if (!divided) return whole;
+  SweepPlan plan;
+  plan.size = whole.size;
+  plan.assessment = divided->assessment;
+  fill(divided->parts.model, divided->options, context, plan);
+  return of_whole(model, divided->parts, plan);
 }
 
 }  // namespace
@@ -55,16 +133,17 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   plan.size = options.size.value_or(default_size(model));
   refuse_explosion(model, options, plan.size);
   plan.assessment = assess(model, picks, context);
-  if (!plan.assessment.is_sweepable()) return plan;
-  const Scheme& scheme = plan.assessment.schemes.front();
-  plan.corners = corners_of(model, scheme);
-  const IntervalOptions intervals = interval_options(model, options, plan.size);
-  if (is_one_to_one(scheme))
-    plan_one_to_one(model, scheme, intervals, context, plan);
-  else
-    plan_imprinted(model, scheme, merge_fractions(options, plan.size).front(), intervals, context,
-                   plan);
-  return plan;
+  if (!plan.assessment.is_sweepable()) return plan_of_divided(model, picks, options, context, plan);
+  try {
+    fill(model, options, context, plan);
+    return plan;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    const SweepPlan divided = plan_of_divided(model, picks, options, context, plan);
+    if (divided.directions.empty()) throw;
+    return divided;
+  }
 }
 
 }  // namespace sweepmesh

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sweepmesh/divided_sweep.h"
+
 namespace sweepmesh {
 namespace {
 
@@ -163,11 +165,11 @@ SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
 }
 
 Assessment assess_solids(const std::vector<Model>& solids, const Picks& picks, Context& context) {
-  if (solids.size() == 1) return assess(solids.front(), picks, context);
+  if (solids.size() == 1) return assess_or_divide(solids.front(), picks, context);
   check_pairs(solids, picks);
   std::vector<Assessment> verdicts;
   for (const Model& solid : solids)
-    verdicts.push_back(assess(solid, picks_on(solid, picks), context));
+    verdicts.push_back(assess_or_divide(solid, picks_on(solid, picks), context));
   return merged_verdicts(verdicts);
 }
 

@@ -1,7 +1,7 @@
 // Time and memory of placement against the size of the mesh.
 //
 //     sweepmesh_bench_place [largest number of hexahedra, default 1e7] [repeats, default 3]
-//     [threads]
+//     [threads, default 0: all] [one row, 0 .. 8; default all]
 //
 // A block of quads whose side faces bulge, so that a residual is left to solve for, and the same
 // block plainly twisted, where none is. Beside them the time to write the same array of points
@@ -41,9 +41,10 @@ struct Input {
   Points points;
 };
 
-/// A block nx x ny x n_layers that twists; its sides bulge by `bulge` of their own length.
+/// A block nx x ny x n_layers that twists; its sides bulge by `bulge` of its shortest length.
 Input make_block(const Case& size, double bulge) {
   Input b;
+  bulge *= static_cast<double>(std::min({size.nx, size.ny, size.n_layers})) / size.nx;
   const auto column = [&](int i, int j) { return j * (size.nx + 1) + i; };
   for (int c = 0; c < (size.nx + 1) * (size.ny + 1); ++c) b.extrusion.add_column(0, size.n_layers);
   for (int j = 0; j < size.ny; ++j)
@@ -105,7 +106,7 @@ Seconds write_arrays(Input& b, int repeats, int threads) {
 Seconds affine_only(Input& b, int repeats, int threads) {
   ThreadTeam team(threads);
   return seconds_of(repeats, [&] {
-    const BaseMetric metric = make_base_metric(b.extrusion, b.fixed, b.points);
+    const BaseMetric metric = make_base_metric(b.extrusion, b.fixed, b.points, team);
     const LayerMotion motion = make_layer_motion(b.extrusion, b.fixed, b.points, metric);
     set_predictions(b.extrusion, motion, b.fixed, b.points, team);
   });
@@ -138,7 +139,7 @@ void run(const Case& size, double bulge, int repeats, int threads) {
 int main(int argc, char** argv) {
   const double largest = argc > 1 ? std::atof(argv[1]) : 1e7;
   const int repeats = argc > 2 ? std::atoi(argv[2]) : 3,
-            threads = argc > 3 ? std::atoi(argv[3]) : 0;
+            threads = argc > 3 ? std::atoi(argv[3]) : 0, row = argc > 4 ? std::atoi(argv[4]) : -1;
   std::printf("%10s %8s %6s %9s %5s %9s %8s %8s %8s %8s %8s %8s\n", "hexes", "base", "layers",
               "residual", "iter", "seconds", "Mhex/s", "cpu ns", "affine", "write", "bytes",
               "min SJ");
@@ -147,7 +148,8 @@ int main(int argc, char** argv) {
   const std::vector<Case> cases = {{22, 22, 21},    {46, 47, 46},     {100, 100, 100},
                                    {316, 316, 10},  {32, 31, 1000},   {200, 200, 100},
                                    {316, 316, 100}, {100, 100, 1000}, {1000, 1000, 10}};
-  for (const Case& size : cases)
+  for (const Case& size : cases) {
+    if (row >= 0 && &size != &cases[row]) continue;
     for (const double bulge : {0.02, 0.0}) {
       if (size.n_hexes() > 1.05 * largest) continue;
       const pid_t child = fork();
@@ -159,4 +161,5 @@ int main(int argc, char** argv) {
       waitpid(child, &status, 0);
       if (status != 0) std::printf("failed: %d\n", status);
     }
+  }
 }

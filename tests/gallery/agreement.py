@@ -8,6 +8,7 @@ Each solid gives an outcome:
     failed     called sweepable, and an error ended the run
     wrong      called sweepable, and what came out is not a valid mesh of the solid
     missed     called unsweepable, though some picks lead to a valid mesh
+    unsound    refused on reading, with a sentence: an edge with three faces, say
     crashed    the process died
     hung       no answer in time
 """
@@ -25,7 +26,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path[:0] = [str(ROOT / "Mod"), str(HERE)]
 
-AGREEING = ("meshed", "refused")
+AGREEING = ("meshed", "refused", "unsound")
 FAILING = ("folded", "failed", "wrong", "crashed", "hung")
 OUTCOMES = (*AGREEING, *FAILING, "missed")
 SECONDS = 60.0
@@ -148,8 +149,12 @@ def examine(job, judge):
     with tempfile.TemporaryDirectory() as folder:
         path = job[1] if job[0] == "file" else made(job, pathlib.Path(folder) / "solid.brep")
         started = time.perf_counter()
-        model = sweepmesh.read(path)
-        out = Examined(name_of(job), "refused", n_faces=len(model.faces))
+        out = Examined(name_of(job), "refused")
+        try:
+            model = sweepmesh.read(path)
+        except sweepmesh.InputError as error:
+            return dataclasses.replace(out, outcome="unsound", detail=str(error))
+        out.n_faces = len(model.faces)
         assess_started = time.perf_counter()
         verdict = sweepmesh.assess(model)
         out.assess_seconds = time.perf_counter() - assess_started

@@ -7,6 +7,8 @@
     edge_bias={"Edge5": (1.2, True)}                  EdgeBiases     Edge5=1.2 both
     vertex_types={("Face3", "Vertex7"): "corner"}     VertexTypes    Face3:Vertex7=corner
 """
+from collections.abc import Mapping
+
 from sweepmesh.app.shapes import edge_number, face_number, vertex_number
 from sweepmesh.engine.errors import input_error
 
@@ -32,8 +34,11 @@ _VALUE = {"edge_count": int, "edge_size": float, "edge_bias": bias, "vertex_type
 
 
 def by_number(source, name, values):
-    """Return {5: 12} for {"Edge5": 12}; `name` is that of the setting, keys are what edge_number and so on take."""
-    numbered = {_key_number(source, name, key): _VALUE[name](value) for key, value in (values or {}).items()}
+    """Return {5: 12} for {"Edge5": 12}; `name` is that of the setting, keys are what edge_number and so on take.
+
+    Vertex types may also be triples, [("Face3", "Vertex7", "corner")].
+    """
+    numbered = {_key_number(source, name, key): _VALUE[name](value) for key, value in _mapping(values).items()}
     return dict(sorted(numbered.items()))
 
 
@@ -43,13 +48,19 @@ def by_name(name, values):
 
 
 def to_texts(values):
-    """Return the texts for {5: 12} or {"Edge5": 12}."""
-    return [f"{_key_text(key)}={_text(value)}" for key, value in values.items()]
+    """Return the texts for {5: 12} or {"Edge5": 12}, or for triples of vertex types."""
+    return [f"{_key_text(key)}={_text(value)}" for key, value in _mapping(values).items()]
 
 
 def from_texts(name, texts):
     """Return {5: 12} for ["Edge5=12"]; an InputError for a text that says nothing of the kind."""
     return dict(sorted(_from_text(name, text) for text in texts))
+
+
+def _mapping(values):
+    if isinstance(values, Mapping):
+        return values
+    return {(face, vertex): value for face, vertex, value in values or ()}
 
 
 def _key_number(source, name, key):

@@ -9,9 +9,10 @@ from sweepmesh.engine.errors import (
     SweepMeshError,
 )
 from sweepmesh.engine.imprints import Imprint, imprint
+from sweepmesh.engine.face_types import FaceCorner, face_types
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
-from sweepmesh.engine.plans import SweepPlan, plan
+from sweepmesh.engine.plans import EdgeDirection, SweepPlan, VirtualCorner, plan
 from sweepmesh.engine.progress import Progress
 from sweepmesh.engine.results import Assessment, Reason, Result
 from sweepmesh.engine.stages import assess, mesh
@@ -19,6 +20,8 @@ from sweepmesh.engine.stages import assess, mesh
 __all__ = [
     "Assessment",
     "Cancelled",
+    "EdgeDirection",
+    "FaceCorner",
     "Imprint",
     "InputError",
     "InvalidMeshError",
@@ -30,9 +33,11 @@ __all__ = [
     "SolverError",
     "SweepMeshError",
     "SweepPlan",
+    "VirtualCorner",
     "__version__",
     "assess",
     "face_at",
+    "face_types",
     "imprint",
     "mesh",
     "plan",

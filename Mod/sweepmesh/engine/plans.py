@@ -1,7 +1,7 @@
 """What a sweep would do with a solid, without a mesh."""
 
 import dataclasses
-from typing import Dict, List, Tuple
+from typing import Dict, List, Optional, Tuple
 
 import numpy
 
@@ -10,6 +10,50 @@ from sweepmesh.engine.model import as_model, chosen_solids
 from sweepmesh.engine.options import Options
 from sweepmesh.engine.results import Assessment, Reason
 from sweepmesh.engine.worker import run
+
+
+@dataclasses.dataclass
+class VirtualCorner:
+    """A place in the middle of a rounded edge where the grid of a linking face turns."""
+
+    face: str
+    edge: str
+    type: str
+    """"end", "side", "corner" or "reversal"."""
+    point: Tuple[float, float, float]
+
+
+@dataclasses.dataclass
+class EdgeDirection:
+    """How an edge, or a piece of a divided one, lies in the grid of a linking face."""
+
+    face: str
+    edge: Optional[str]
+    """None for a line across a divided face, where no edge is."""
+    axis: str
+    """"k" along the sweep, "i" across it."""
+    sign: int
+    """1 where i or k grows in the direction of the edge, -1 where it grows against it."""
+    start: Tuple[float, float, float]
+    end: Tuple[float, float, float]
+    """The ends of the edge or piece; i or k grows from `start` to `end`."""
+    intervals: int
+
+    @classmethod
+    def from_core(cls, core):
+        """From the C++ module's EdgeDirection, whose start and end are those of the face's loop."""
+        way, axis = core.direction.name.split("_")
+        grows = way == "plus"
+        start, end = (tuple(map(float, point)) for point in (core.start, core.end))
+        return cls(
+            face=f"Face{core.face + 1}",
+            edge=f"Edge{core.edge + 1}" if core.edge >= 0 else None,
+            axis=axis,
+            sign=1 if grows != core.reversed else -1,
+            start=start if grows else end,
+            end=end if grows else start,
+            intervals=core.n_intervals,
+        )
 
 
 @dataclasses.dataclass
@@ -22,8 +66,12 @@ class SweepPlan:
     n_layers: int
     corners: List[Tuple[str, str, str]]
     """("Face3", "Vertex7", "end"): how linking faces turn at their vertices: end, side, corner, reversal."""
+    virtual_corners: List[VirtualCorner]
+    """The same at places that are no vertices, on edges that are divided."""
+    directions: List[EdgeDirection]
+    """Of every side of every linking face, by face and along its loops."""
     edge_roles: Dict[str, str]
-    """{"Edge1": "axial" or "transverse"}; edges within a cap have no role."""
+    """{"Edge1": "axial", "transverse" or, where its pieces differ, "divided"}; edges within a cap have no role."""
     intervals: Dict[str, int]
     """Mesh edges on each CAD edge: {"Edge1": 12, ...}."""
     levels: Dict[str, int]
@@ -38,7 +86,15 @@ class SweepPlan:
             assessment=Assessment.from_core(core.assessment),
             size=core.size,
             n_layers=core.n_layers,
-            corners=[(f"Face{c.face + 1}", f"Vertex{c.vertex + 1}", c.type.name) for c in core.corners],
+            corners=[
+                (f"Face{c.face + 1}", f"Vertex{c.vertex + 1}", c.type.name) for c in core.corners if c.vertex >= 0
+            ],
+            virtual_corners=[
+                VirtualCorner(f"Face{c.face + 1}", f"Edge{c.edge + 1}", c.type.name, tuple(map(float, c.point)))
+                for c in core.corners
+                if c.vertex < 0
+            ],
+            directions=[EdgeDirection.from_core(d) for d in core.directions],
             edge_roles={f"Edge{i + 1}": r.name for i, r in enumerate(core.edge_role) if r.name != "none"},
             intervals={f"Edge{i + 1}": n for i, n in enumerate(core.edge_intervals) if n > 0},
             levels={f"Vertex{i + 1}": k for i, k in enumerate(core.vertex_level) if k >= 0},
@@ -89,12 +145,14 @@ def _merged(plans):
         for reason in each.assessment.reasons
     ]
     if reasons:
-        return SweepPlan(Assessment("unsweepable", reasons, []), plans[0].size, 0, [], {}, {}, {}, {})
+        return SweepPlan(Assessment("unsweepable", reasons, []), plans[0].size, 0, [], [], [], {}, {}, {}, {})
     return SweepPlan(
         assessment=Assessment("sweepable", [], [_joined(each.assessment.roles for each in plans)]),
         size=plans[0].size,
         n_layers=max(each.n_layers for each in plans),
         corners=[corner for each in plans for corner in each.corners],
+        virtual_corners=[corner for each in plans for corner in each.virtual_corners],
+        directions=[direction for each in plans for direction in each.directions],
         edge_roles=_joined(each.edge_roles for each in plans),
         intervals=_joined(each.intervals for each in plans),
         levels=_joined(each.levels for each in plans),

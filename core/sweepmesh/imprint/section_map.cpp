@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -13,16 +14,25 @@
 namespace sweepmesh {
 namespace {
 
-/// Points along a loop at most `spacing` apart, the first not repeated.
+/// Points along a loop at most `spacing` apart, the first not repeated, and no two so near to each
+/// other, here or in R, that a triangle between them is nothing but rounding.
 OutlinePart refined(const OutlinePart& loop, double spacing) {
+  constexpr double least_share = 1e-4;  // of the spacing
+  const double least = least_share * spacing;
   OutlinePart out;
+  const auto is_free = [&](const Point2& from, const Point2& to, std::size_t i) {
+    return (from - out.from[i]).norm() > least && (to - out.to[i]).norm() > least;
+  };
   for (const PolylinePoint& p : resampled(loop.from, spacing)) {
-    if (!out.from.empty() && p.point == out.from.back()) continue;
+    const Point2 to = at_position(loop.to, p.position).point;
+    if (!out.from.empty() && !is_free(p.point, to, out.from.size() - 1)) continue;
     out.from.push_back(p.point);
-    out.to.push_back(at_position(loop.to, p.position).point);
+    out.to.push_back(to);
   }
-  out.from.pop_back();
-  out.to.pop_back();
+  while (out.from.size() > 1 && !is_free(out.from.back(), out.to.back(), 0)) {
+    out.from.pop_back();
+    out.to.pop_back();
+  }
   return out;
 }
 
@@ -127,33 +137,93 @@ bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
   return inside;
 }
 
+namespace {
+
+/// The outline of a section as the boundary of a mesh, and its images.
+struct SectionOutline {
+  PlanarMesh mesh;
+  std::vector<Point2> images;
+  std::vector<std::vector<int>> loops;
+};
+
+SectionOutline outline_of(const std::vector<OutlinePart>& loops, double spacing) {
+  if (loops.empty())
+    throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
+  SectionOutline out;
+  for (const OutlinePart& loop : loops) {
+    const OutlinePart fine = refined(loop, spacing);
+    out.loops.emplace_back();
+    for (std::size_t i = 0; i < fine.from.size(); ++i) {
+      out.loops.back().push_back(out.mesh.n_nodes());
+      out.mesh.points.push_back(fine.from[i]);
+      out.images.push_back(fine.to[i]);
+    }
+  }
+  out.mesh.n_boundary = out.mesh.n_nodes();
+  return out;
+}
+
+/// The image of a point by the triangle that it lies in (or, for rounding, nearly lies in).
+Point2 image_in(const PlanarMesh& mesh, const std::vector<Point2>& images, const Point2& p) {
+  double best = -std::numeric_limits<double>::infinity();
+  Point2 out = p;
+  for (int c = 0; c < mesh.n_cells() && best < 0.0; ++c) {
+    const auto cell = mesh.cell(c);
+    const Point2 &a = mesh.points[cell[0]], &b = mesh.points[cell[1]], &d = mesh.points[cell[2]];
+    const double area = cross2(b - a, d - a);
+    const Eigen::Vector3d share =
+        Eigen::Vector3d(cross2(b - p, d - p), cross2(d - p, a - p), cross2(a - p, b - p)) / area;
+    if (share.minCoeff() <= best) continue;
+    best = share.minCoeff();
+    out = share[0] * images[cell[0]] + share[1] * images[cell[1]] + share[2] * images[cell[2]];
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
                                    const Context& context) {
-  if (loops.empty())
-    throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
-  PlanarMesh mesh;
-  std::vector<Point2> images;
-  std::vector<std::vector<int>> boundary;
-  for (const OutlinePart& loop : loops) {
-    const OutlinePart fine = refined(loop, spacing);
-    boundary.emplace_back();
-    for (std::size_t i = 0; i < fine.from.size(); ++i) {
-      boundary.back().push_back(mesh.n_nodes());
-      mesh.points.push_back(fine.from[i]);
-      images.push_back(fine.to[i]);
-    }
-  }
-  mesh.n_boundary = mesh.n_nodes();
+  SectionOutline section = outline_of(loops, spacing);
+  PlanarMesh& mesh = section.mesh;
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());
   add_grid(loops, spacing, mesh.points);
-  const auto triangles = constrained_delaunay(mesh.points, boundary);
+  for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
+  const std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
+  return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
+}
+
+namespace {
+
+std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
+                               const std::vector<Point2>& points, double spacing,
+                               const Context& context) {
+  SectionOutline section = outline_of(loops, spacing);
+  PlanarMesh& mesh = section.mesh;
+  add_grid(loops, spacing, mesh.points);
+  const auto triangles = constrained_delaunay(mesh.points, section.loops);
   for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
     mesh.add_cell(t);
   MapOptions options;
-  options.poor = -1.0;  // where points go matters, not the shape of triangles between them
-  const std::vector<Point2> all = map_planar(mesh, images, options, context).points;
-  return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
+  options.poor = -1.0;
+  const std::vector<Point2> images = map_planar(mesh, section.images, options, context).points;
+  std::vector<Point2> out;
+  for (const Point2& p : points) out.push_back(image_in(mesh, images, p));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Point2> carried_smoothly(const std::vector<OutlinePart>& loops,
+                                     const std::vector<Point2>& points, double spacing,
+                                     const Context& context) {
+  constexpr int n_refinements = 2;
+  for (int i = 0;; ++i) try {
+      return carried_at(loops, points, spacing / (1 << i), context);
+    } catch (const InvalidMeshError&) {
+      if (i == n_refinements) throw;
+    }
 }
 
 }  // namespace sweepmesh

@@ -26,6 +26,14 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
                                    const Context& context);
 
+/// The same for curves that are to be drawn: the points are no vertices of the triangulation, which
+/// is harmonic wherever that has no folds, so smooth curves stay smooth. Points may be anywhere
+/// inside. Where no map without folds is found, smaller spacings are tried. Quadratic in points and
+/// triangles together.
+std::vector<Point2> carried_smoothly(const std::vector<OutlinePart>& loops,
+                                     const std::vector<Point2>& points, double spacing,
+                                     const Context& context);
+
 /// Whether a point lies inside the loops.
 bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p);
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/separation.h"
 
@@ -60,7 +61,8 @@ SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, Interv
   context.check(stage);
   const Separation separation(model, scheme, options.size);
   separation.add_gaps(demands);
-  CountOptions how{.time_limit_seconds = options.time_limit_seconds};
+  CountOptions how;
+  how.time_limit_seconds = options.time_limit_seconds.value_or(unbounded);
   const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
   std::optional<SolvedIntervals> best;
   for (int round = 0; round < max_rounds; ++round) {
@@ -72,7 +74,8 @@ SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, Interv
     }
     best = {to_intervals(demands, solution), solution.values};
     how.explain = false;
-    if (separation.add_violated(solution, demands) == 0) break;
+    const int n_coarse = raise_for_areas(model, options, best->intervals.edge, demands);
+    if (separation.add_violated(solution, demands) + n_coarse == 0) break;
   }
   return std::move(*best);
 }

@@ -47,7 +47,9 @@ struct CountProblem {
 };
 
 struct CountOptions {
-  double time_limit_seconds = 10.0;  ///< for each independent part of the problem
+  /// Work for each independent part of the problem, as SolveOptions counts it, > 0.
+  double max_effort = 1e8;
+  double time_limit_seconds = unbounded;  ///< the same for time, > 0
   /// Cost of an odd sum where an even one is preferred, in the unit of the cost above.
   double odd_penalty = 0.5;
   bool explain = true;  ///< look for the smallest conflict where there is no solution
@@ -56,7 +58,7 @@ struct CountOptions {
 struct CountSolution {
   bool is_feasible = false;
   std::vector<long> values;  ///< empty where infeasible
-  bool is_optimal = true;    ///< false: the time limit was reached, the best so far is used
+  bool is_optimal = true;    ///< false: a limit was reached, the best so far is used
   double cost = 0.0;
   std::vector<int> conflict;  ///< infeasible: demands that contradict each other, as few as found
 };
@@ -65,7 +67,7 @@ struct CountSolution {
 /// (the cheapest of each kind is kept), splitting into independent parts and branch and bound on
 /// what remains. An infeasible problem is answered by a smallest set of demands: dropping any one
 /// of them would make that set feasible (QuickXplain, Junker 2004; a few dozen solver runs), as far
-/// as the time limit allows. Throws SolverError and Cancelled as `solve` does. Values beyond 1e9
+/// as the limits allow. Throws SolverError and Cancelled as `solve` does. Values beyond 1e9
 /// are not represented.
 CountSolution solve_counts(const CountProblem& problem, const CountOptions& options,
                            Context& context);

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
 
 namespace sweepmesh {
 namespace {
@@ -38,11 +42,30 @@ Row row_of(const CountProblem::Demand& d, const std::vector<bool>& fixed,
   return row;
 }
 
-/// Partial sums of the open rows, in the order of `open`.
-using State = std::vector<int>;
+/// How the cheapest way to a state came there.
 struct Entry {
   double cost = 0.0;
   int parent = -1, change = 0;
+};
+
+/// The states after a step, each a row of `width` partial sums (of the open rows, in their order).
+struct States {
+  std::size_t width = 0;
+  std::vector<int> sums;
+  std::vector<Entry> entries;
+
+  const int* at(std::size_t i) const { return sums.data() + i * width; }
+  std::size_t size() const { return entries.size(); }
+};
+
+/// What a step does to one row: where its sum stands before (-1: it is not open yet), and by how
+/// much a change moves it.
+struct RowStep {
+  int row, from, coefficient;
+
+  int sum(const int* before, int change) const {
+    return (from < 0 ? 0 : before[from]) + coefficient * change;
+  }
 };
 
 class Repair {
@@ -67,35 +90,42 @@ class Repair {
     for (const Row& row : rows_)
       if (row.coefficient.empty() && !close(row, 0, cost)) return std::nullopt;
     order_classes();
-    steps_.push_back({{State{}, Entry{}}});
+    states_.entries.push_back({});
     for (std::size_t s = 0; s < order_.size(); ++s)
       if (!advance(static_cast<int>(s))) return std::nullopt;
     return traced_back();
   }
 
  private:
-  using Step = std::vector<std::pair<State, Entry>>;
-
   /// Greedy: next comes the class that opens the fewest rows; among those, the one in most open
   /// rows.
   void order_classes() {
+    struct Key {
+      int n_new, n_not_open, c;
+      auto operator<=>(const Key&) const = default;
+    };
+    std::map<int, Key> key;
+    std::set<Key> left;
+    for (const auto& [c, rows] : rows_of_) {
+      key[c] = {static_cast<int>(rows.size()), 0, c};
+      left.insert(key[c]);
+    }
     std::vector<char> is_open(rows_.size(), 0);
-    std::map<int, std::vector<int>> left = rows_of_;
     while (!left.empty()) {
-      auto best = left.end();
-      std::pair<int, int> best_key{0, 0};
-      for (auto at = left.begin(); at != left.end(); ++at) {
-        int n_open = 0;
-        for (const int r : at->second) n_open += is_open[r];
-        const std::pair<int, int> key{static_cast<int>(at->second.size()) - n_open, -n_open};
-        if (best == left.end() || key < best_key) std::tie(best, best_key) = std::tie(at, key);
-      }
-      for (const int r : best->second) {
-        is_open[r] = 1;
+      const int next = left.begin()->c;
+      left.erase(left.begin());
+      for (const int r : rows_of_[next]) {
         last_step_[r] = static_cast<int>(order_.size());
+        if (is_open[r]) continue;
+        is_open[r] = 1;
+        for (const auto& [c, a] : rows_[r].coefficient) {
+          Key& k = key[c];
+          if (left.erase(k) == 0) continue;
+          k = {k.n_new - 1, k.n_not_open - 1, c};
+          left.insert(k);
+        }
       }
-      order_.push_back(best->first);
-      left.erase(best);
+      order_.push_back(next);
     }
   }
 
@@ -106,35 +136,37 @@ class Repair {
     return !is_odd || row.kind == Kind::preferably_even;
   }
 
-  /// Rows open after step s: those before it that do not end here, and those that begin here and go
-  /// on.
-  std::vector<int> open_after(int s) const {
-    std::vector<int> open;
-    for (const int r : open_)
-      if (last_step_[r] > s) open.push_back(r);
-    for (const int r : rows_of_.at(order_[s]))
-      if (last_step_[r] > s && std::find(open_.begin(), open_.end(), r) == open_.end())
-        open.push_back(r);
-    return open;
+  /// What step s does to the rows that stay open after it, and to those that end with it.
+  struct Plan {
+    std::vector<RowStep> open, closing;
+  };
+
+  Plan plan_of(int s) {
+    const int c = order_[s];
+    Plan plan;
+    const auto add = [&](int r, int from) {
+      const auto a = rows_[r].coefficient.find(c);
+      const RowStep step{r, from, a == rows_[r].coefficient.end() ? 0 : a->second};
+      (last_step_[r] > s ? plan.open : plan.closing).push_back(step);
+    };
+    for (std::size_t j = 0; j < open_.size(); ++j) add(open_[j], static_cast<int>(j));
+    for (const int r : rows_of_.at(c)) {
+      reach_left_[r] -= std::abs(rows_[r].coefficient.at(c)) * options_.max_step;
+      if (std::find(open_.begin(), open_.end(), r) == open_.end()) add(r, -1);
+    }
+    open_.clear();
+    for (const RowStep& step : plan.open) open_.push_back(step.row);
+    return plan;
   }
 
-  /// The state after a change of the class of step s; false where a row that ends here is not met.
-  bool next_state(int s, const State& before, int change, const std::vector<int>& open,
-                  State& after, double& cost) const {
-    const int c = order_[s];
-    after.assign(open.size(), 0);
-    const auto sum_of = [&](int r) {
-      const auto at = std::find(open_.begin(), open_.end(), r);
-      const int sum = at == open_.end() ? 0 : before[at - open_.begin()];
-      const auto a = rows_[r].coefficient.find(c);
-      return sum + (a == rows_[r].coefficient.end() ? 0 : a->second * change);
-    };
-    for (const int r : rows_of_.at(c))
-      if (last_step_[r] == s && !close(rows_[r], sum_of(r), cost)) return false;
-    for (std::size_t j = 0; j < open.size(); ++j) {
-      const Row& row = rows_[open[j]];
-      const int sum = sum_of(open[j]), reach = reach_left_[open[j]];
-      after[j] = row.is_parity() ? (sum % 2 + 2) % 2 : sum;
+  /// The state after a change, written to `after`; false where a row cannot be met any more.
+  bool next_state(const Plan& plan, const int* before, int change, int* after, double& cost) const {
+    for (const RowStep& step : plan.closing)
+      if (!close(rows_[step.row], step.sum(before, change), cost)) return false;
+    for (const RowStep& step : plan.open) {
+      const Row& row = rows_[step.row];
+      const int sum = step.sum(before, change), reach = reach_left_[step.row];
+      *after++ = row.is_parity() ? (sum % 2 + 2) % 2 : sum;
       if (!row.is_parity() && (sum + reach < row.low || sum - reach > row.high)) return false;
     }
     return true;
@@ -143,32 +175,56 @@ class Repair {
   bool advance(int s) {
     const auto& k = classes_.classes[order_[s]];
     const double n = value_[order_[s]];
-    const std::vector<int> open = open_after(s);
-    for (const int r : rows_of_.at(order_[s]))
-      reach_left_[r] -= std::abs(rows_[r].coefficient.at(order_[s])) * options_.max_step;
-    std::map<State, Entry> next;
-    State after;
-    for (std::size_t p = 0; p < steps_.back().size(); ++p) {
-      const auto& [state, entry] = steps_.back()[p];
-      for (int change = -options_.max_step; change <= options_.max_step; ++change) {
-        if (n + change < k.lower || n + change > k.upper) continue;
-        double cost = entry.cost + class_cost(k, n + change) - class_cost(k, n);
-        if (!next_state(s, state, change, open, after, cost)) continue;
-        const auto [at, is_new] = next.emplace(after, Entry{cost, static_cast<int>(p), change});
-        if (!is_new && cost < at->second.cost) at->second = {cost, static_cast<int>(p), change};
+    const Plan plan = plan_of(s);
+    States next;
+    next.width = plan.open.size();
+    for (int change = -options_.max_step; change <= options_.max_step; ++change) {
+      if (n + change < k.lower || n + change > k.upper) continue;
+      const double step_cost = class_cost(k, n + change) - class_cost(k, n);
+      for (std::size_t p = 0; p < states_.size(); ++p) {
+        double cost = states_.entries[p].cost + step_cost;
+        const std::size_t begin = next.sums.size();
+        next.sums.resize(begin + next.width);
+        if (next_state(plan, states_.at(p), change, next.sums.data() + begin, cost))
+          next.entries.push_back({cost, static_cast<int>(p), change});
+        else
+          next.sums.resize(begin);
       }
     }
-    open_ = open;
-    steps_.push_back(cheapest(next));
-    return !steps_.back().empty();
+    states_ = cheapest(next);
+    steps_.push_back(states_.entries);
+    return states_.size() > 0;
   }
 
-  Step cheapest(const std::map<State, Entry>& all) const {
-    Step out(all.begin(), all.end());
-    if (out.size() <= options_.max_states) return out;
-    std::stable_sort(out.begin(), out.end(),
-                     [](const auto& a, const auto& b) { return a.second.cost < b.second.cost; });
-    out.resize(options_.max_states);
+  /// The cheapest way to each state; of too many states the cheapest.
+  States cheapest(const States& all) const {
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto compare = [&](std::size_t a, std::size_t b) {
+      return std::lexicographical_compare_three_way(all.at(a), all.at(a) + all.width, all.at(b),
+                                                    all.at(b) + all.width);
+    };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const auto by_state = compare(a, b);
+      const Entry &x = all.entries[a], &y = all.entries[b];
+      return by_state != 0
+                 ? by_state < 0
+                 : std::tie(x.cost, x.parent, x.change) < std::tie(y.cost, y.parent, y.change);
+    });
+    const auto is_same = [&](std::size_t a, std::size_t b) { return compare(a, b) == 0; };
+    order.erase(std::unique(order.begin(), order.end(), is_same), order.end());
+    if (order.size() > options_.max_states) {
+      std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return all.entries[a].cost < all.entries[b].cost;
+      });
+      order.resize(options_.max_states);
+    }
+    States out;
+    out.width = all.width;
+    for (const std::size_t i : order) {
+      out.sums.insert(out.sums.end(), all.at(i), all.at(i) + all.width);
+      out.entries.push_back(all.entries[i]);
+    }
     return out;
   }
 
@@ -176,7 +232,7 @@ class Repair {
     std::vector<double> out = value_;
     int at = 0;
     for (std::size_t s = order_.size(); s > 0; --s) {
-      const Entry& entry = steps_[s][at].second;
+      const Entry& entry = steps_[s - 1][at];
       out[order_[s - 1]] += entry.change;
       at = entry.parent;
     }
@@ -192,7 +248,8 @@ class Repair {
   std::vector<int> last_step_,
       reach_left_;  ///< by row; how far the classes to come can still move it
   std::vector<int> open_;
-  std::vector<Step> steps_;
+  States states_;
+  std::vector<std::vector<Entry>> steps_;
 };
 
 }  // namespace

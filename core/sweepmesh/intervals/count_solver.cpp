@@ -229,20 +229,53 @@ class PartSolver {
 
  private:
   enum class Outcome { solved, infeasible, no_answer };
+  /// Part of the effort after which branch and bound mostly finds nothing better.
+  static constexpr double short_part = 0.05;
 
   /// First without even sums, which leaves a program with (nearly) whole corners; these are then
   /// repaired within a step or two. Where that fails branch and bound sees the even sums, at first
-  /// for a short time only: neither way is the quicker one on every solid.
+  /// for a short while only, and the wide repair competes with what it found: neither way is the
+  /// better one on every solid.
   bool solve_part(const std::vector<int>& part) {
-    if (solve_program(part, false, options_.time_limit_seconds) != Outcome::solved) return false;
+    if (solve_program(part, false, options_.max_effort) != Outcome::solved) return false;
     const std::size_t few = 500;  // states: they decide most problems at once
-    const std::size_t many = std::max(few, 400'000 / part.size());
+    const std::size_t many = 400'000 / part.size();
+    const bool is_wide = many > 2 * few;  // else it would fail again
     if (!has_parity(part) || repair(part, 1, few)) return true;
-    const double short_time = std::min(5.0, options_.time_limit_seconds);
-    const Outcome quick = try_program(part, short_time);
-    if (quick != Outcome::no_answer) return quick == Outcome::solved;
-    return repair(part, 1, many) || repair(part, 2, many) ||
-           solve_program(part, true, options_.time_limit_seconds) == Outcome::solved;
+    const std::vector<double> without_parity = value_;
+    const double a_few_relaxations = 4.0 * last_effort_;
+    const Outcome quick =
+        try_program(part, std::max(short_part * options_.max_effort, a_few_relaxations));
+    if (quick == Outcome::infeasible) return false;
+    if (quick == Outcome::solved) {
+      if (!is_optimal_ && is_wide) improve_by_repair(part, many, without_parity);
+      return true;
+    }
+    return (is_wide && (repair(part, 1, many) || repair(part, 2, many))) ||
+           solve_program(part, true, options_.max_effort) == Outcome::solved;
+  }
+
+  /// Repairs `start`; the values stay where that is no better.
+  void improve_by_repair(const std::vector<int>& part, std::size_t max_states,
+                         const std::vector<double>& start) {
+    const std::vector<double> found = value_;
+    const double cost = cost_of(part);
+    value_ = start;
+    if (!repair(part, 1, max_states) || cost_of(part) > cost) value_ = found;
+  }
+
+  /// Of the classes' values, and of the preferred even sums of a part that are odd.
+  double cost_of(const std::vector<int>& part) const {
+    double cost = 0.0;
+    for (std::size_t k = 0; k < value_.size(); ++k)
+      cost += class_cost(classes_.classes[k], value_[k]);
+    for (const int d : part) {
+      if (classes_.demands[d].kind != Kind::preferably_even) continue;
+      double sum = 0.0;
+      for (const auto& t : classes_.demands[d].terms) sum += t.coefficient * value_[t.variable];
+      if (is_odd(sum)) cost += options_.odd_penalty;
+    }
+    return cost;
   }
 
   bool has_parity(const std::vector<int>& part) const {
@@ -250,24 +283,25 @@ class PartSolver {
                        [&](int d) { return is_parity(classes_.demands[d].kind); });
   }
 
-  Outcome try_program(const std::vector<int>& part, double seconds) {
+  Outcome try_program(const std::vector<int>& part, double effort) {
     try {
-      return solve_program(part, true, seconds);
+      return solve_program(part, true, effort);
     } catch (const SolverError&) {
       return Outcome::no_answer;
     }
   }
 
-  Outcome solve_program(const std::vector<int>& part, bool with_parity, double seconds) {
+  Outcome solve_program(const std::vector<int>& part, bool with_parity, double effort) {
     PartProgram p(classes_, start_, fixed_, options_);
     for (const int d : part)
       if (with_parity || !is_parity(classes_.demands[d].kind)) p.add(classes_.demands[d]);
-    SolveOptions how{.time_limit_seconds = seconds};
+    SolveOptions how{.max_effort = effort, .time_limit_seconds = options_.time_limit_seconds};
     if (with_parity)
       how.gap = 0.05;  // the relaxation sees no parity: the last bit cannot be proven
     const Solution s = solve(p.program(), how, context_);
     if (s.status == SolveStatus::infeasible) return Outcome::infeasible;
     is_optimal_ = is_optimal_ && s.status == SolveStatus::optimal;
+    last_effort_ = s.effort;
     for (const auto& [k, v] : p.variables()) value_[k] = s.values[v];
     return Outcome::solved;
   }
@@ -285,9 +319,10 @@ class PartSolver {
   std::vector<bool> fixed_;
   std::vector<double> start_, value_;
   bool is_optimal_ = true;
+  double last_effort_ = 0.0;
 };
 
-/// Class values, or nothing where infeasible. `is_optimal` is cleared when a part ran out of time.
+/// Class values, or nothing where infeasible. `is_optimal` is cleared when a part reached a limit.
 std::optional<std::vector<double>> solve_classes(const CountClasses& c, const CountOptions& options,
                                                  Context& context, bool& is_optimal) {
   if (bounds_cross(c)) return std::nullopt;

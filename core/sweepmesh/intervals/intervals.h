@@ -15,7 +15,7 @@ struct Intervals {
   /// the first loop has i = 0; empty for other faces.
   std::vector<std::vector<int>> loop_i;
   int n_layers = 0;        ///< highest k; the lowest is 0
-  bool is_optimal = true;  ///< false where the solver ran out of time and its best solution is used
+  bool is_optimal = true;  ///< false where the solver reached a limit and its best solution is used
 };
 
 }  // namespace sweepmesh

@@ -226,6 +226,13 @@ class Assessor {
         asked_(with_types(chosen_, picks.types)) {}
 
   Assessment assess() {
+    Assessment out = judge();
+    out.folds = !out.is_sweepable() && opposed_;
+    return out;
+  }
+
+ private:
+  Assessment judge() {
     for (const auto& [id, states] : asked_) index_of(problem_, id);
     check_types(picks_);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
@@ -250,7 +257,6 @@ class Assessor {
     return refuse(lenient);
   }
 
- private:
   std::optional<Assessment> try_with(const Network& network, const std::vector<Pick>& picks) {
     SearchResult result = search(network, picks, context_);
     if (result.divisions.empty()) {
@@ -286,19 +292,31 @@ class Assessor {
       found.schemes.insert(found.schemes.begin(), picked->schemes.begin(), picked->schemes.end());
   }
 
-  /// Offers straight sweeps, too, whatever their angles cost.
+  /// Offers straight sweeps, too: in the order of cost where rounds and fillets are tangent to caps
+  /// at worst, else at the end, whatever their angles cost.
   void add_prismatic(Assessment& found, const std::vector<FixedCorner>& fixed) {
-    const Network lenient = make_network(problem_, lenient_limits(), fixed);
-    for (const Scheme& scheme :
-         ranked(model_, lenient, prismatic_divisions(lenient, context_), chosen_)) {
+    std::vector<Scheme>& schemes = found.schemes;
+    for (const Scheme& s : new_prismatic(tangent_limits(), fixed, schemes))
+      schemes.insert(std::ranges::upper_bound(schemes, s.cost, {}, &Scheme::cost), s);
+    for (const Scheme& s : new_prismatic(lenient_limits(), fixed, schemes))
+      if (s.cost >= schemes.back().cost) schemes.push_back(s);
+  }
+
+  std::vector<Scheme> new_prismatic(const AngleLimits& limits,
+                                    const std::vector<FixedCorner>& fixed,
+                                    const std::vector<Scheme>& known) {
+    const Network network = make_network(problem_, limits, fixed);
+    std::vector<Scheme> out =
+        ranked(model_, network, prismatic_divisions(network, context_), chosen_);
+    std::erase_if(out, [&](const Scheme& scheme) {
       const bool is_known = std::ranges::any_of(
-          found.schemes, [&](const Scheme& other) { return has_same_caps(scheme, other); });
+          known, [&](const Scheme& other) { return has_same_caps(scheme, other); });
       const bool is_asked = std::ranges::all_of(picks_.types, [&](const TypePick& pick) {
         return scheme.face_role[pick.face.index] == FaceRole::linking;
       });
-      if (!is_known && is_asked && scheme.cost >= found.schemes.back().cost)
-        found.schemes.push_back(scheme);
-    }
+      return is_known || !is_asked;
+    });
+    return out;
   }
 
   /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to

@@ -34,42 +34,64 @@ void add_fan(const PolygonMatrix& m, const Point3* p, int apex, double factor) {
     add_triangle(m, p, {apex, (apex + i) % m.n, (apex + i + 1) % m.n}, factor);
 }
 
-double angle_at(const Point3& tip, const Point3& a, const Point3& b) {
-  return std::atan2((a - tip).cross(b - tip).norm(), (a - tip).dot(b - tip));
+/// Sine and cosine of an angle, times some positive number.
+struct Direction {
+  double sine, cosine;
+
+  Direction operator+(const Direction& o) const {
+    return {sine * o.cosine + cosine * o.sine, cosine * o.cosine - sine * o.sine};
+  }
+  /// Of angles in 0 .. full turn, with equal factors.
+  bool is_less_than(const Direction& o) const {
+    if ((sine >= 0.0) != (o.sine >= 0.0)) return sine >= 0.0;
+    return sine >= 0.0 ? cosine > o.cosine : cosine < o.cosine;
+  }
+};
+
+Direction angle_at(const Point3& tip, const Point3& a, const Point3& b) {
+  return {(a - tip).cross(b - tip).norm(), (a - tip).dot(b - tip)};
 }
 
 void add_polygon(const PolygonMatrix& m, const Point3* p, double factor) {
   if (m.n == 4) {
     // The diagonal 0-2 is Delaunay when the angles that face it add up to less than half a turn.
-    const double facing = angle_at(p[1], p[0], p[2]) + angle_at(p[3], p[2], p[0]);
-    const double other = angle_at(p[0], p[3], p[1]) + angle_at(p[2], p[1], p[3]);
-    add_fan(m, p, facing <= other ? 0 : 1, factor);
+    // Both sums have the lengths of all four sides as their factor.
+    const Direction facing = angle_at(p[1], p[0], p[2]) + angle_at(p[3], p[2], p[0]);
+    const Direction other = angle_at(p[0], p[3], p[1]) + angle_at(p[2], p[1], p[3]);
+    add_fan(m, p, other.is_less_than(facing) ? 1 : 0, factor);
     return;
   }
   const int n_fans = m.n == 3 ? 1 : m.n;
   for (int apex = 0; apex < n_fans; ++apex) add_fan(m, p, apex, factor / n_fans);
 }
 
-void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric) {
+constexpr long cells_per_chunk = 1L << 10;
+
+void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
+  thread_local std::vector<Point3> p;
+  const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
+                           &metric.corner_mass[x.cell_offset[c]]};
+  p.resize(m.n);
+  for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
+    for (int i = 0; i < m.n; ++i)
+      p[i] = points.row(x.node(x.cell_columns[x.cell_offset[c] + i], k));
+    add_polygon(m, p.data(), 0.5);
+  }
+  for (int i = 0; i < m.n; ++i)
+    for (int j = i + 1; j < m.n; ++j) m.weight(i, j) = std::max(0.0, m.weight(i, j));
+}
+
+void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, ThreadTeam& team) {
+  metric.pair_offset.reserve(x.n_cells() + 1);
   for (int c = 0; c < x.n_cells(); ++c) {
     const long n = x.cell_size(c);
     metric.pair_offset.push_back(metric.pair_offset.back() + n * (n - 1) / 2);
   }
   metric.pair_weight.assign(metric.pair_offset.back(), 0.0);
   metric.corner_mass.assign(x.cell_columns.size(), 0.0);
-  std::vector<Point3> p;
-  for (int c = 0; c < x.n_cells(); ++c) {
-    const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
-                             &metric.corner_mass[x.cell_offset[c]]};
-    p.resize(m.n);
-    for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
-      for (int i = 0; i < m.n; ++i)
-        p[i] = points.row(x.node(x.cell_columns[x.cell_offset[c] + i], k));
-      add_polygon(m, p.data(), 0.5);
-    }
-    for (int i = 0; i < m.n; ++i)
-      for (int j = i + 1; j < m.n; ++j) m.weight(i, j) = std::max(0.0, m.weight(i, j));
-  }
+  team.for_chunks(x.n_cells(), cells_per_chunk, [&](long begin, long end, long) {
+    for (int c = static_cast<int>(begin); c < end; ++c) add_cell(x, points, c, metric);
+  });
 }
 
 /// Sums of lengths and their numbers, a layer each.
@@ -82,27 +104,50 @@ struct HeightSums {
   }
 };
 
+/// Calls add(i, sums) for all i < n on all threads, in chunks of `grain`, and joins the sums in
+/// order.
+template <class F>
+HeightSums sum_heights(std::size_t n_layers, long n, long grain, ThreadTeam& team, F&& add) {
+  std::vector<HeightSums> parts(ThreadTeam::n_chunks(n, grain), HeightSums(n_layers));
+  team.for_chunks(n, grain, [&](long begin, long end, long chunk) {
+    for (int i = static_cast<int>(begin); i < end; ++i) add(i, parts[chunk]);
+  });
+  HeightSums all(n_layers);
+  for (const HeightSums& part : parts)
+    for (std::size_t k = 0; k < n_layers; ++k) {
+      all.length[k] += part.length[k];
+      all.count[k] += part.count[k];
+    }
+  return all;
+}
+
 void set_heights(const Extrusion& x, const std::vector<char>& fixed, const Points& points,
-                 BaseMetric& metric) {
+                 BaseMetric& metric, ThreadTeam& team) {
   const int first = *std::min_element(x.k_low.begin(), x.k_low.end());
-  const int last = *std::max_element(x.k_high.begin(), x.k_high.end());
+  const int n_layers = *std::max_element(x.k_high.begin(), x.k_high.end()) - first;
   metric.k_first = first;
-  HeightSums linking(last - first), runs(last - first);
-  for (int c = 0; c < x.n_columns(); ++c)
+  const auto add_column = [&](int c, HeightSums& sums) {
     for (int k = x.k_low[c]; k < x.k_high[c]; ++k) {
       const long node = x.node(c, k);
       if (fixed[node] && fixed[node + 1])
-        linking.add(k - first, (points.row(node + 1) - points.row(node)).norm());
+        sums.add(k - first, (points.row(node + 1) - points.row(node)).norm());
     }
-  for (int c = 0; c < x.n_cells(); ++c) {
+  };
+  const auto add_cell = [&](int c, HeightSums& sums) {
     const int low = x.cell_k_low[c], high = x.cell_k_high[c];
     const int column = x.cell_columns[x.cell_offset[c]];
     const double length =
         (points.row(x.node(column, high)) - points.row(x.node(column, low))).norm();
-    for (int k = low; k < high; ++k) runs.add(k - first, length / (high - low));
-  }
-  metric.height.assign(last - first, 1.0);
-  for (int k = 0; k < last - first; ++k) {
+    for (int k = low; k < high; ++k) sums.add(k - first, length / (high - low));
+  };
+  // A chunk holds more columns than the layers that its sums have.
+  const long grain = std::max<long>(cells_per_chunk, n_layers);
+  const HeightSums linking = sum_heights(n_layers, x.n_columns(), grain, team, add_column);
+  const bool has_all = std::all_of(linking.length.begin(), linking.length.end(),
+                                   [](double length) { return length > 0.0; });
+  const HeightSums runs = sum_heights(n_layers, has_all ? 0 : x.n_cells(), grain, team, add_cell);
+  metric.height.assign(n_layers, 1.0);
+  for (int k = 0; k < n_layers; ++k) {
     const HeightSums& sums = linking.length[k] > 0.0 ? linking : runs;
     if (sums.length[k] > 0.0) metric.height[k] = sums.length[k] / sums.count[k];
   }
@@ -111,11 +156,11 @@ void set_heights(const Extrusion& x, const std::vector<char>& fixed, const Point
 }  // namespace
 
 BaseMetric make_base_metric(const Extrusion& extrusion, const std::vector<char>& fixed,
-                            const Points& points) {
+                            const Points& points, ThreadTeam& team) {
   BaseMetric metric;
   if (extrusion.n_cells() == 0) return metric;
-  add_cells(extrusion, points, metric);
-  set_heights(extrusion, fixed, points, metric);
+  add_cells(extrusion, points, metric, team);
+  set_heights(extrusion, fixed, points, metric, team);
   return metric;
 }
 

@@ -8,9 +8,11 @@
 // small matrices.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "sweepmesh/base/geometry.h"
+#include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/extrusion.h"
 
 namespace sweepmesh {
@@ -31,6 +33,19 @@ struct BaseMetric {
   double height_of(int k) const { return height[k - k_first]; }
 };
 
+/// Calls f(other column, weight) for the pairs of a cell with its corner `i`.
+template <class F>
+void for_pairs(const Extrusion& x, const BaseMetric& metric, int cell, int i, F&& f) {
+  const int* columns = x.cell_columns.data() + x.cell_offset[cell];
+  const double* weight = metric.pair_weight.data() + metric.pair_offset[cell];
+  const int n = x.cell_size(cell);
+  for (int j = 0; j < n; ++j) {
+    if (j == i) continue;
+    const int a = std::min(i, j), b = std::max(i, j);
+    f(columns[j], weight[a * n - a * (a + 1) / 2 + b - a - 1]);
+  }
+}
+
 /// Stiffness is that of linear triangles (cotangents), a quad divided by its Delaunay diagonal, a
 /// larger polygon by the mean of its fans; negative weights are left out, so that every harmonic
 /// value is a convex combination of its neighbours. Heights are the mean distances between fixed
@@ -39,6 +54,6 @@ struct BaseMetric {
 ///
 /// `points` needs the ends of the runs and the nodes that are `fixed`. Linear in their number.
 BaseMetric make_base_metric(const Extrusion& extrusion, const std::vector<char>& fixed,
-                            const Points& points);
+                            const Points& points, ThreadTeam& team);
 
 }  // namespace sweepmesh

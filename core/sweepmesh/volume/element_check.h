@@ -5,6 +5,7 @@
 
 #include "sweepmesh/base/geometry.h"
 #include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/element_index.h"
 #include "sweepmesh/volume/extrusion.h"
 
 namespace sweepmesh {
@@ -12,7 +13,10 @@ namespace sweepmesh {
 struct ElementCheck {
   std::vector<long> bad;  ///< ascending; numbered cell by cell, from the lowest layer up
   double min_scaled_jacobian = 1.0;
+  double mean_scaled_jacobian = 1.0;
 };
+
+double scaled_jacobian_of(const Extrusion& extrusion, const Points& points, SweptElement element);
 
 /// Elements whose scaled Jacobian is not above `threshold`.
 ElementCheck check_elements(const Extrusion& extrusion, const Points& points, double threshold,

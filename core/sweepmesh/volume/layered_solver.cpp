@@ -16,24 +16,19 @@ constexpr long floats_per_chunk = 1L << 16;
 
 /// Base matrices in compressed rows, for transfers between levels.
 struct Transfer {
-  std::vector<int> offset = {0}, column;
+  std::vector<int> offset, column;
   std::vector<float> weight;
 
-  explicit Transfer(const BaseMatrix& m) {
-    for (int c = 0; c < m.rows(); ++c) {
-      for (BaseMatrix::InnerIterator entry(m, c); entry; ++entry) {
-        column.push_back(static_cast<int>(entry.col()));
-        weight.push_back(static_cast<float>(entry.value()));
-      }
-      offset.push_back(static_cast<int>(column.size()));
-    }
-  }
+  explicit Transfer(BaseMatrix m)
+      : offset(std::move(m.offset)),
+        column(std::move(m.column)),
+        weight(m.value.begin(), m.value.end()) {}
 };
 
 /// One level of the cycle: the system, its factored columns and its work space.
 class Level {
  public:
-  Level(LayeredSystem system, ThreadTeam& team) : s_(std::move(system)), team_(team) {
+  Level(const LayeredSystem& system, ThreadTeam& team) : s_(system), team_(team) {
     make_chunks();
     factor();
     find_radius();
@@ -79,7 +74,7 @@ class Level {
   /// d = a d + b D^-1 r; x += d.
   void step(Vector& x, const Vector& r, Vector& d, float a, float b) const;
 
-  LayeredSystem s_;
+  const LayeredSystem& s_;
   ThreadTeam& team_;
   std::vector<int> chunk_;  ///< first column of every chunk, and the end
   Vector pivot_;            ///< inverse pivots of the columns, one a node
@@ -147,7 +142,9 @@ void Level::factor() {
   pivot_.assign(s_.size() / 3, 0.0f);
   for_columns([&](int c) {
     const int low = s_.low[c], high = s_.high[c];
-    std::vector<double> diagonal(high - low + 1, 0.0), across(high - low + 1, 0.0);
+    thread_local std::vector<double> diagonal, across;
+    diagonal.assign(high - low + 1, 0.0);
+    across.assign(high - low + 1, 0.0);
     for (int t = 0; t < s_.n_bands(); ++t)
       for (int k = std::max(low, s_.band_begin[t]); k < std::min(high + 1, s_.band_begin[t + 1]);
            ++k)
@@ -173,13 +170,17 @@ void Level::factor() {
 }
 
 void Level::find_radius() {
-  for (const BaseRows& rows : s_.rows)
-    for (int c = 0; c < s_.n_columns(); ++c) {
-      if (rows.diagonal[c] <= 0.0f) continue;
-      double sum = 0.0;
-      for (int e = rows.offset[c]; e < rows.offset[c + 1]; ++e) sum += std::abs(rows.weight[e]);
-      radius_ = std::max(radius_, sum / rows.diagonal[c]);
-    }
+  std::vector<double> radius(chunk_.size(), radius_);
+  team_.for_chunks(static_cast<long>(chunk_.size()) - 1, 1, [&](long chunk, long, long) {
+    for (const BaseRows& rows : s_.rows)
+      for (int c = chunk_[chunk]; c < chunk_[chunk + 1]; ++c) {
+        if (rows.diagonal[c] <= 0.0f) continue;
+        double sum = 0.0;
+        for (int e = rows.offset[c]; e < rows.offset[c + 1]; ++e) sum += std::abs(rows.weight[e]);
+        radius[chunk] = std::max(radius[chunk], sum / rows.diagonal[c]);
+      }
+  });
+  radius_ = *std::max_element(radius.begin(), radius.end());
 }
 
 void Level::step(Vector& x, const Vector& r, Vector& d, float a, float b) const {
@@ -215,18 +216,15 @@ void Level::smooth(Vector& x, Vector& r, Vector& d, bool needs_residual) const {
 /// The hierarchy and one V-cycle on it.
 class Multigrid {
  public:
-  Multigrid(LayeredLevel finest, ThreadTeam& team) {
-    LayeredLevel level = std::move(finest);
-    while (true) {
-      BaseMatrix p = make_prolongation(level);
-      const bool is_last = p.cols() == 0 || 4 * p.cols() > 3 * (p.rows() - n_empty(level));
-      LayeredLevel coarser;
-      if (!is_last) coarser = make_coarser(level, p);
-      levels_.push_back(std::make_unique<Level>(std::move(level.system), team));
-      if (is_last) break;
-      down_.emplace_back(BaseMatrix(p.transpose()));
-      up_.emplace_back(p);
-      level = std::move(coarser);
+  Multigrid(const LayeredLevel& finest, ThreadTeam& team) {
+    for (const LayeredLevel* level = &finest;; level = coarser_.back().get()) {
+      levels_.push_back(std::make_unique<Level>(level->system, team));
+      BaseMatrix p = make_prolongation(*level, team);
+      if (p.n_cols == 0 || 4 * p.n_cols > 3 * (p.n_rows() - n_empty(level->system))) break;
+      BaseMatrix r = transposed(p);
+      coarser_.push_back(std::make_unique<LayeredLevel>(make_coarser(*level, p, r, team)));
+      down_.emplace_back(std::move(r));
+      up_.emplace_back(std::move(p));
     }
     for (std::size_t l = 1; l < levels_.size(); ++l) {
       right_.emplace_back(levels_[l]->size());
@@ -244,10 +242,9 @@ class Multigrid {
   }
 
  private:
-  static int n_empty(const LayeredLevel& level) {
+  static int n_empty(const LayeredSystem& system) {
     int n = 0;
-    for (int c = 0; c < level.system.n_columns(); ++c)
-      n += level.system.high[c] < level.system.low[c];
+    for (int c = 0; c < system.n_columns(); ++c) n += system.high[c] < system.low[c];
     return n;
   }
 
@@ -309,6 +306,7 @@ class Multigrid {
     });
   }
 
+  std::vector<std::unique_ptr<LayeredLevel>> coarser_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::vector<Transfer> down_, up_;  ///< between level l and l + 1
   std::vector<Vector> right_, solution_, direction_;
@@ -323,9 +321,9 @@ double dot(const Level& level, const Vector& a, const Vector& b) {
 
 }  // namespace
 
-SolverReport solve(LayeredLevel finest, std::vector<float>& x, const SolverOptions& options,
+SolverReport solve(const LayeredLevel& finest, std::vector<float>& x, const SolverOptions& options,
                    ThreadTeam& team, const Context& context) {
-  Multigrid multigrid(std::move(finest), team);
+  Multigrid multigrid(finest, team);
   const Level& level = multigrid.finest();
   Vector r = std::move(x), z(r.size()), p(r.size(), 0.0f), q(r.size()), d(r.size());
   x.assign(r.size(), 0.0f);

@@ -30,7 +30,7 @@ struct SolverReport {
 
 /// `x` is the right-hand side on entry and the solution on return, in the layout of the finest
 /// level. Throws SolverError when it does not converge, and Cancelled.
-SolverReport solve(LayeredLevel finest, std::vector<float>& x, const SolverOptions& options,
+SolverReport solve(const LayeredLevel& finest, std::vector<float>& x, const SolverOptions& options,
                    ThreadTeam& team, const Context& context);
 
 }  // namespace sweepmesh

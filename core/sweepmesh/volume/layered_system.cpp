@@ -1,96 +1,104 @@
 #include "sweepmesh/volume/layered_system.h"
 
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 
 namespace sweepmesh {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
+constexpr long columns_per_chunk = 1L << 12;
+
+/// Calls f(column) for all columns, on all threads.
+template <class F>
+void for_columns(std::size_t n_columns, ThreadTeam& team, F&& f) {
+  team.for_chunks(static_cast<long>(n_columns), columns_per_chunk, [&](long begin, long end, long) {
+    for (int c = static_cast<int>(begin); c < end; ++c) f(c);
+  });
+}
 
 /// Levels at which a column begins, ends, or turns from free to fixed or back, and where a run
 /// begins or ends (its last level has half of the matrix, so it is a band of its own).
-std::vector<int> find_bands(const Extrusion& x, const std::vector<char>& fixed, int first,
-                            int last) {
-  std::vector<char> begins(last - first + 2, 0);
-  begins[0] = begins[last - first + 1] = 1;
-  for (int c = 0; c < x.n_columns(); ++c) {
-    begins[x.k_low[c] - first] = begins[x.k_high[c] + 1 - first] = 1;
+std::vector<int> find_bands(const Extrusion& x, const std::vector<char>& fixed, int first, int last,
+                            ThreadTeam& team) {
+  std::vector<std::atomic<char>> begins(last - first + 2);
+  const auto mark = [&](int k) {
+    std::atomic<char>& b = begins[k - first];
+    if (!b.load(std::memory_order_relaxed)) b.store(1, std::memory_order_relaxed);
+  };
+  mark(first);
+  mark(last + 1);
+  for_columns(x.k_low.size(), team, [&](int c) {
+    mark(x.k_low[c]);
+    mark(x.k_high[c] + 1);
     for (int k = x.k_low[c] + 1; k <= x.k_high[c]; ++k)
-      if ((fixed[x.node(c, k)] != 0) != (fixed[x.node(c, k - 1)] != 0)) begins[k - first] = 1;
-  }
-  for (int c = 0; c < x.n_cells(); ++c)
-    for (const int k :
-         {x.cell_k_low[c], x.cell_k_low[c] + 1, x.cell_k_high[c], x.cell_k_high[c] + 1})
-      begins[k - first] = 1;
+      if ((fixed[x.node(c, k)] != 0) != (fixed[x.node(c, k - 1)] != 0)) mark(k);
+  });
+  for_columns(x.cell_k_low.size(), team, [&](int c) {
+    for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
+      mark(k);
+      mark(k + 1);
+    }
+  });
   std::vector<int> bands;
   for (std::size_t k = 0; k < begins.size(); ++k)
     if (begins[k]) bands.push_back(static_cast<int>(k));
   return bands;
 }
 
-/// Calls f(i, j, weight) for the corners of each pair of a cell.
-template <class F>
-void for_pairs(const Extrusion& x, const BaseMetric& metric, int cell, F&& f) {
-  const int* columns = x.cell_columns.data() + x.cell_offset[cell];
-  const double* weight = metric.pair_weight.data() + metric.pair_offset[cell];
-  for (int i = 0; i < x.cell_size(cell); ++i)
-    for (int j = i + 1; j < x.cell_size(cell); ++j) f(columns[i], columns[j], *weight++);
-}
-
-BaseMatrix band_matrix(const Extrusion& x, const BaseMetric& metric,
-                       const std::vector<char>& is_free, int k) {
-  Triplets entries;
-  for (int c = 0; c < x.n_cells(); ++c) {
-    if (k < x.cell_k_low[c] || k > x.cell_k_high[c]) continue;
-    const double part = k == x.cell_k_low[c] || k == x.cell_k_high[c] ? 0.5 : 1.0;
-    for_pairs(x, metric, c, [&](int a, int b, double w) {
-      w *= part;
-      if (w == 0.0) return;
-      if (is_free[a]) entries.emplace_back(a, a, w);
-      if (is_free[b]) entries.emplace_back(b, b, w);
-      if (!is_free[a] || !is_free[b]) return;
-      entries.emplace_back(a, b, -w);
-      entries.emplace_back(b, a, -w);
-    });
-  }
-  BaseMatrix matrix(x.n_columns(), x.n_columns());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+BaseMatrix band_matrix(const Extrusion& x, const CellsOfColumns& cells, const BaseMetric& metric,
+                       const std::vector<char>& is_free, int k, ThreadTeam& team) {
+  return build_rows(x.n_columns(), x.n_columns(), team, [&](int c, RowSum& sum) {
+    if (!is_free[c]) return;
+    for (int i = cells.offset[c]; i < cells.offset[c + 1]; ++i) {
+      const int cell = cells.cell[i], low = x.cell_k_low[cell], high = x.cell_k_high[cell];
+      if (k < low || k > high) continue;
+      const double part = k == low || k == high ? 0.5 : 1.0;
+      for_pairs(x, metric, cell, cells.corner[i], [&](int other, double w) {
+        sum.add(c, part * w);
+        if (is_free[other]) sum.add(other, -part * w);
+      });
+    }
+  });
 }
 
 /// The class of the layer above level k, whose ends are free as said.
-LayerClass layer_class(const Extrusion& x, const BaseMetric& metric, int k,
-                       const std::vector<char>& is_free, const std::vector<char>& is_free_above) {
-  LayerClass layer;
-  std::vector<double> mass(x.n_columns(), 0.0);
-  for (int c = 0; c < x.n_cells(); ++c)
-    if (x.cell_k_low[c] <= k && k < x.cell_k_high[c])
-      for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i)
-        mass[x.cell_columns[i]] += metric.corner_mass[i];
-  for (int c = 0; c < x.n_columns(); ++c) {
-    const float m = static_cast<float>(mass[c]);
-    layer.lower.push_back(is_free[c] ? m : 0.0f);
-    layer.upper.push_back(is_free_above[c] ? m : 0.0f);
-    layer.across.push_back(is_free[c] && is_free_above[c] ? m : 0.0f);
-  }
+LayerClass layer_class(const Extrusion& x, const CellsOfColumns& cells, const BaseMetric& metric,
+                       int k, const std::vector<char>& is_free,
+                       const std::vector<char>& is_free_above, ThreadTeam& team) {
+  const std::vector<float> zero(x.n_columns(), 0.0f);
+  LayerClass layer = {zero, zero, zero};
+  for_columns(zero.size(), team, [&](int c) {
+    if (!is_free[c] && !is_free_above[c]) return;
+    double mass = 0.0;
+    for (int i = cells.offset[c]; i < cells.offset[c + 1]; ++i) {
+      const int cell = cells.cell[i];
+      if (x.cell_k_low[cell] <= k && k < x.cell_k_high[cell])
+        mass += metric.corner_mass[x.cell_offset[cell] + cells.corner[i]];
+    }
+    const float m = static_cast<float>(mass);
+    layer.lower[c] = is_free[c] ? m : 0.0f;
+    layer.upper[c] = is_free_above[c] ? m : 0.0f;
+    layer.across[c] = is_free[c] && is_free_above[c] ? m : 0.0f;
+  });
   return layer;
 }
 
-BaseRows rows_of(const BaseMatrix& matrix) {
+BaseRows rows_of(const BaseMatrix& matrix, ThreadTeam& team) {
   BaseRows rows;
-  rows.offset.push_back(0);
-  rows.diagonal.assign(matrix.rows(), 0.0f);
-  for (int c = 0; c < matrix.rows(); ++c) {
-    for (const bool is_diagonal : {true, false})
-      for (BaseMatrix::InnerIterator entry(matrix, c); entry; ++entry) {
-        if ((entry.col() == c) != is_diagonal || entry.value() == 0.0) continue;
-        rows.neighbour.push_back(static_cast<int>(entry.col()));
-        rows.weight.push_back(static_cast<float>(entry.value()));
-        if (is_diagonal) rows.diagonal[c] = rows.weight.back();
-      }
-    rows.offset.push_back(static_cast<int>(rows.neighbour.size()));
-  }
+  rows.offset = matrix.offset;
+  rows.neighbour.resize(matrix.column.size());
+  rows.weight.resize(matrix.column.size());
+  rows.diagonal.assign(matrix.n_rows(), 0.0f);
+  for_columns(rows.diagonal.size(), team, [&](int c) {
+    int other = matrix.offset[c];
+    matrix.for_row(c, [&](int column, double) { other += column == c; });
+    matrix.for_row(c, [&](int column, double value) {
+      const int slot = column == c ? matrix.offset[c] : other++;
+      rows.neighbour[slot] = column;
+      rows.weight[slot] = static_cast<float>(value);
+      if (column == c) rows.diagonal[c] = rows.weight[slot];
+    });
+  });
   return rows;
 }
 
@@ -121,57 +129,78 @@ void set_layers(const BaseMetric& metric, LayeredSystem& s) {
     s.spring.insert(s.spring.end(), 3, static_cast<float>(1.0 / (metric.height[k] * mean)));
 }
 
-std::vector<char> free_columns(const Extrusion& x, const std::vector<char>& fixed, int k) {
+std::vector<char> free_columns(const Extrusion& x, const std::vector<char>& fixed, int k,
+                               ThreadTeam& team) {
   std::vector<char> is_free(x.n_columns());
-  for (int c = 0; c < x.n_columns(); ++c)
+  for_columns(is_free.size(), team, [&](int c) {
     is_free[c] = x.k_low[c] <= k && k <= x.k_high[c] && !fixed[x.node(c, k)];
+  });
   return is_free;
 }
 
-/// Sum of |off-diagonal| entries that count as strong, at least this part of the geometric mean of
-/// the diagonals.
+/// Off-diagonal entries count as strong from this part of the geometric mean of the diagonals on.
 constexpr double strong_coupling = 0.08;
 
-bool is_strong(double value, double a, double b) {
-  return value < 0.0 && value * value > strong_coupling * strong_coupling * a * b;
+/// The base matrix that stands for all levels: the sum over bands, each times its levels.
+BaseMatrix sum_over_levels(const LayeredLevel& level, ThreadTeam& team) {
+  const LayeredSystem& s = level.system;
+  return build_rows(s.n_columns(), s.n_columns(), team, [&](int c, RowSum& sum) {
+    for (int t = 0; t < s.n_bands(); ++t) {
+      const int n_levels = s.band_begin[t + 1] - s.band_begin[t];
+      level.matrix[t].for_row(c, [&](int b, double value) { sum.add(b, n_levels * value); });
+    }
+  });
 }
 
-/// The base matrix that stands for all levels: the sum over bands, each times its levels.
-BaseMatrix sum_over_levels(const LayeredLevel& level) {
-  BaseMatrix sum = level.matrix.front();
-  sum.setZero();
-  for (int t = 0; t < level.system.n_bands(); ++t) {
-    const int n_levels = level.system.band_begin[t + 1] - level.system.band_begin[t];
-    if (level.matrix[t].nonZeros() > 0) sum += n_levels * level.matrix[t];
-  }
-  return sum;
+/// Strong couplings (their sizes, no diagonal) of a matrix, its diagonal, and the diagonal with the
+/// weak couplings added.
+struct Couplings {
+  BaseMatrix strong;
+  std::vector<double> diagonal, lumped;
+};
+
+Couplings find_couplings(const BaseMatrix& matrix, ThreadTeam& team) {
+  Couplings out;
+  out.diagonal.assign(matrix.n_rows(), 0.0);
+  for_columns(out.diagonal.size(), team, [&](int c) {
+    matrix.for_row(c, [&](int b, double v) { out.diagonal[c] += b == c ? v : 0.0; });
+  });
+  out.lumped = out.diagonal;
+  out.strong = build_rows(matrix.n_rows(), matrix.n_cols, team, [&](int c, RowSum& sum) {
+    const double limit = strong_coupling * strong_coupling * out.diagonal[c];
+    matrix.for_row(c, [&](int b, double v) {
+      if (b == c) return;
+      if (v < 0.0 && v * v > limit * out.diagonal[b])
+        sum.add(b, -v);
+      else
+        out.lumped[c] += v;
+    });
+    out.lumped[c] = std::max(out.lumped[c], strong_coupling * out.diagonal[c]);
+  });
+  return out;
 }
 
 /// Aggregates (Vanek, Mandel, Brezina 1996, algorithm 5.1); -1 for columns that are nowhere free.
-std::vector<int> make_aggregates(const BaseMatrix& matrix, const Eigen::VectorXd& diagonal,
-                                 int& n_aggregates) {
+std::vector<int> make_aggregates(const Couplings& couplings, int& n_aggregates) {
   constexpr int none = -1;
-  const int n = static_cast<int>(matrix.rows());
+  const BaseMatrix& strong = couplings.strong;
+  const int n = strong.n_rows();
   std::vector<int> aggregate(n, none);
   n_aggregates = 0;
-  const auto for_strong = [&](int c, auto&& f) {
-    for (BaseMatrix::InnerIterator entry(matrix, c); entry; ++entry)
-      if (entry.col() != c && is_strong(entry.value(), diagonal[c], diagonal[entry.col()]))
-        f(static_cast<int>(entry.col()), -entry.value());
-  };
   for (int c = 0; c < n; ++c) {
-    bool is_untouched = aggregate[c] == none && diagonal[c] > 0.0;
-    for_strong(c, [&](int b, double) { is_untouched = is_untouched && aggregate[b] == none; });
-    if (!is_untouched) continue;
+    if (aggregate[c] != none || !(couplings.diagonal[c] > 0.0)) continue;
+    const int* begin = strong.column.data() + strong.offset[c];
+    const int* end = strong.column.data() + strong.offset[c + 1];
+    if (std::any_of(begin, end, [&](int b) { return aggregate[b] != none; })) continue;
     aggregate[c] = n_aggregates;
-    for_strong(c, [&](int b, double) { aggregate[b] = n_aggregates; });
+    for (const int* b = begin; b != end; ++b) aggregate[*b] = n_aggregates;
     ++n_aggregates;
   }
   const std::vector<int> seeds = aggregate;
   for (int c = 0; c < n; ++c) {
-    if (aggregate[c] != none || diagonal[c] <= 0.0) continue;
+    if (aggregate[c] != none || !(couplings.diagonal[c] > 0.0)) continue;
     double strongest = 0.0;
-    for_strong(c, [&](int b, double w) {
+    strong.for_row(c, [&](int b, double w) {
       if (seeds[b] == none || w <= strongest) return;
       strongest = w;
       aggregate[c] = seeds[b];
@@ -181,58 +210,67 @@ std::vector<int> make_aggregates(const BaseMatrix& matrix, const Eigen::VectorXd
   return aggregate;
 }
 
+/// R diag(mass) P 1 for the restriction R and the row sums of the prolongation P.
+std::vector<float> restricted(const BaseMatrix& restriction, const std::vector<double>& row_sum,
+                              const std::vector<float>& mass, ThreadTeam& team) {
+  if (mass.empty()) return {};
+  std::vector<float> out(restriction.n_rows());
+  for_columns(out.size(), team, [&](int c) {
+    double sum = 0.0;
+    restriction.for_row(c, [&](int b, double v) { sum += v * mass[b] * row_sum[b]; });
+    out[c] = static_cast<float>(sum);
+  });
+  return out;
+}
+
 }  // namespace
 
-LayeredLevel make_layered_level(const Extrusion& extrusion, const BaseMetric& metric,
-                                const std::vector<char>& fixed) {
+LayeredLevel make_layered_level(const Extrusion& extrusion, const CellsOfColumns& cells,
+                                const BaseMetric& metric, const std::vector<char>& fixed,
+                                ThreadTeam& team) {
   LayeredLevel level;
   LayeredSystem& s = level.system;
   s.k_first = metric.k_first;
   const int last = s.k_first + static_cast<int>(metric.height.size());
-  s.band_begin = find_bands(extrusion, fixed, s.k_first, last);
+  s.band_begin = find_bands(extrusion, fixed, s.k_first, last, team);
   set_layers(metric, s);
+  const auto layers_above = [&](int k, const auto& is_free, const auto& is_free_above) {
+    s.layers.push_back(layer_class(extrusion, cells, metric, k, is_free, is_free_above, team));
+  };
+  std::vector<char> is_free = free_columns(extrusion, fixed, s.k_first, team);
   for (std::size_t t = 0; t + 1 < s.band_begin.size(); ++t) {
     const int k = s.k_first + s.band_begin[t], above = s.k_first + s.band_begin[t + 1];
-    const std::vector<char> is_free = free_columns(extrusion, fixed, k);
-    level.matrix.push_back(band_matrix(extrusion, metric, is_free, k));
-    s.rows.push_back(rows_of(level.matrix.back()));
-    s.layers.push_back(layer_class(extrusion, metric, k, is_free, is_free));
-    s.layers.push_back(
-        layer_class(extrusion, metric, above - 1, is_free, free_columns(extrusion, fixed, above)));
+    level.matrix.push_back(band_matrix(extrusion, cells, metric, is_free, k, team));
+    s.rows.push_back(rows_of(level.matrix.back(), team));
+    above > k + 1 ? layers_above(k, is_free, is_free) : void(s.layers.emplace_back());
+    if (above > last) {
+      s.layers.emplace_back();
+      break;
+    }
+    std::vector<char> is_free_above = free_columns(extrusion, fixed, above, team);
+    layers_above(above - 1, is_free, is_free_above);
+    is_free = std::move(is_free_above);
   }
   set_hulls(s);
   return level;
 }
 
-BaseMatrix make_prolongation(const LayeredLevel& fine) {
-  const BaseMatrix sum = sum_over_levels(fine);
-  const Eigen::VectorXd diagonal = sum.diagonal();
+BaseMatrix make_prolongation(const LayeredLevel& fine, ThreadTeam& team) {
+  const Couplings couplings = find_couplings(sum_over_levels(fine, team), team);
   int n_aggregates = 0;
-  const std::vector<int> aggregate = make_aggregates(sum, diagonal, n_aggregates);
-  Triplets tentative, smoother;
-  for (int c = 0; c < sum.rows(); ++c) {
-    if (aggregate[c] < 0) continue;
-    tentative.emplace_back(c, aggregate[c], 1.0);
-    // One damped Jacobi step with the weak couplings lumped to the diagonal.
-    double lumped = 0.0;
-    for (BaseMatrix::InnerIterator entry(sum, c); entry; ++entry) {
-      if (entry.col() == c || is_strong(entry.value(), diagonal[c], diagonal[entry.col()]))
-        continue;
-      lumped += entry.value();
-    }
-    const double d = std::max(diagonal[c] + lumped, strong_coupling * diagonal[c]);
-    for (BaseMatrix::InnerIterator entry(sum, c); entry; ++entry)
-      if (entry.col() != c && is_strong(entry.value(), diagonal[c], diagonal[entry.col()]))
-        smoother.emplace_back(c, static_cast<int>(entry.col()), -2.0 / 3.0 * entry.value() / d);
-    smoother.emplace_back(c, c, 1.0 / 3.0);
-  }
-  BaseMatrix p(sum.rows(), n_aggregates), jacobi(sum.rows(), sum.rows());
-  p.setFromTriplets(tentative.begin(), tentative.end());
-  jacobi.setFromTriplets(smoother.begin(), smoother.end());
-  return (jacobi * p).pruned();
+  const std::vector<int> aggregate = make_aggregates(couplings, n_aggregates);
+  // One damped Jacobi step on the aggregates, with the weak couplings lumped to the diagonal.
+  return build_rows(couplings.strong.n_rows(), n_aggregates, team, [&](int c, RowSum& sum) {
+    if (aggregate[c] < 0) return;
+    sum.add(aggregate[c], 1.0 / 3.0);
+    couplings.strong.for_row(c, [&](int b, double w) {
+      if (aggregate[b] >= 0) sum.add(aggregate[b], 2.0 / 3.0 * w / couplings.lumped[c]);
+    });
+  });
 }
 
-LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongation) {
+LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongation,
+                          const BaseMatrix& restriction, ThreadTeam& team) {
   LayeredLevel coarse;
   LayeredSystem& s = coarse.system;
   const LayeredSystem& f = fine.system;
@@ -240,28 +278,21 @@ LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongati
   s.share = f.share;
   s.spring = f.spring;
   s.band_begin = f.band_begin;
-  const Eigen::VectorXd row_sum = prolongation * Eigen::VectorXd::Ones(prolongation.cols());
-  const BaseMatrix transposed = prolongation.transpose();
-  const auto restricted = [&](const std::vector<float>& mass) {
-    std::vector<float> out(transposed.rows(), 0.0f);
-    for (int c = 0; c < transposed.rows(); ++c) {
-      double sum = 0.0;
-      for (BaseMatrix::InnerIterator entry(transposed, c); entry; ++entry)
-        sum += entry.value() * mass[entry.col()] * row_sum[entry.col()];
-      out[c] = static_cast<float>(sum);
-    }
-    return out;
-  };
-  for (int t = 0; t < f.n_bands(); ++t) {
+  std::vector<double> row_sum(prolongation.n_rows(), 0.0);
+  for_columns(row_sum.size(), team,
+              [&](int c) { prolongation.for_row(c, [&](int, double v) { row_sum[c] += v; }); });
+  for (const BaseMatrix& matrix : fine.matrix) {
     // Rows of the prolongation that are not free in this band drop out, since their matrix rows are
     // empty.
-    coarse.matrix.push_back(
-        BaseMatrix(prolongation.transpose() * fine.matrix[t] * prolongation).pruned());
-    s.rows.push_back(rows_of(coarse.matrix.back()));
+    coarse.matrix.push_back(product(restriction, product(matrix, prolongation, team), team));
+    s.rows.push_back(rows_of(coarse.matrix.back(), team));
   }
+  const auto restrict_mass = [&](const std::vector<float>& mass) {
+    return restricted(restriction, row_sum, mass, team);
+  };
   for (const LayerClass& layer : f.layers)
     s.layers.push_back(
-        {restricted(layer.across), restricted(layer.lower), restricted(layer.upper)});
+        {restrict_mass(layer.across), restrict_mass(layer.lower), restrict_mass(layer.upper)});
   set_hulls(s);
   return coarse;
 }

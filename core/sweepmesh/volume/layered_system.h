@@ -13,18 +13,18 @@
 // hull that are not free hold zero.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <vector>
 
+#include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/base_matrix.h"
 #include "sweepmesh/volume/base_metric.h"
+#include "sweepmesh/volume/element_index.h"
 #include "sweepmesh/volume/extrusion.h"
 
 namespace sweepmesh {
 
-using BaseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 /// Vertical couplings of one class of layers, a value per column: of the two nodes with each other,
-/// and the parts of the diagonal of the lower and the upper one.
+/// and the parts of the diagonal of the lower and the upper one. Empty: no layer is of this class.
 struct LayerClass {
   std::vector<float> across, lower, upper;
 };
@@ -64,16 +64,19 @@ struct LayeredLevel {
   std::vector<BaseMatrix> matrix;  ///< per band, rows and columns of free nodes only
 };
 
-/// The finest level. Linear in the base mesh times the bands.
-LayeredLevel make_layered_level(const Extrusion& extrusion, const BaseMetric& metric,
-                                const std::vector<char>& fixed);
+/// The finest level; `cells` are those around the extrusion's columns. Linear in the base mesh
+/// times the bands.
+LayeredLevel make_layered_level(const Extrusion& extrusion, const CellsOfColumns& cells,
+                                const BaseMetric& metric, const std::vector<char>& fixed,
+                                ThreadTeam& team);
 
 /// Galerkin's product with a prolongation of the base (columns x coarse columns) that is the same
-/// for all levels; vertical couplings are lumped.
-LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongation);
+/// for all levels, and its transpose; vertical couplings are lumped.
+LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongation,
+                          const BaseMatrix& restriction, ThreadTeam& team);
 
 /// Smoothed aggregation: every aggregate is a column and its strong neighbours. The result has as
 /// many columns as `fine` when nothing can be joined.
-BaseMatrix make_prolongation(const LayeredLevel& fine);
+BaseMatrix make_prolongation(const LayeredLevel& fine, ThreadTeam& team);
 
 }  // namespace sweepmesh

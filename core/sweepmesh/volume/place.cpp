@@ -7,9 +7,11 @@
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/cap_transition.h"
 #include "sweepmesh/volume/element_check.h"
 #include "sweepmesh/volume/layer_motion.h"
 #include "sweepmesh/volume/layered_solver.h"
+#include "sweepmesh/volume/node_ascent.h"
 #include "sweepmesh/volume/residual.h"
 #include "sweepmesh/volume/untangle.h"
 
@@ -45,13 +47,13 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
                       const LayerMotion& motion, const Residuals& residuals, double unit,
                       const PlacementOptions& options, Points& points, PlacementReport& report,
                       ThreadTeam& team, const Context& context) {
-  LayeredLevel level = make_layered_level(x, metric, fixed);
+  const CellsOfColumns cells(x);
+  const LayeredLevel level = make_layered_level(x, cells, metric, fixed, team);
   if (level.system.size() == 0) return;
-  const LayeredSystem layout = level.system;
-  std::vector<float> e = right_hand_side(x, motion, metric, residuals, layout, 1.0 / unit, team);
-  const SolverReport solved =
-      solve(std::move(level), e, {.reduction = options.reduction}, team, context);
-  add_correction(x, layout, e, unit, points, team);
+  std::vector<float> e =
+      right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
+  const SolverReport solved = solve(level, e, {.reduction = options.reduction}, team, context);
+  add_correction(x, level.system, e, unit, points, team);
   report.was_solved = true;
   report.n_iterations = solved.n_iterations;
 }
@@ -77,14 +79,36 @@ void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const
   if (!left.empty()) throw_invalid(left, "the mesh of the boundary leaves no room for them.");
 }
 
+/// Elements up to `threshold` that could be better: more than a little below what the boundary
+/// allows.
+std::vector<long> find_improvable(const Extrusion& x, const std::vector<char>& fixed,
+                                  const Points& points, double room,
+                                  const std::vector<long>& elements) {
+  if (elements.empty()) return {};
+  const ElementIndex index(x);
+  std::vector<long> out;
+  for (const long e : elements) {
+    const SweptElement element = index.element(e);
+    if (scaled_jacobian_of(x, points, element) + room <
+        bound_by_boundary(x, fixed, points, element))
+      out.push_back(e);
+  }
+  return out;
+}
+
 /// Improves the elements up to `threshold` where they can be; returns the least value then.
 double improve_poor(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
                     const PlacementOptions& options, double threshold, int power, Points& points,
                     PlacementReport& report, ThreadTeam& team, const Context& context) {
-  const ElementCheck check = check_elements(x, points, threshold, team);
+  ElementCheck check = check_elements(x, points, threshold, team);
+  const double part = options.improve_at_most_part * static_cast<double>(x.n_elements());
+  const long most = std::max(options.improve_at_most, static_cast<long>(part));
   const long n_poor = static_cast<long>(check.bad.size());
   report.n_poor_before = std::max(report.n_poor_before, n_poor);
-  if (n_poor == 0 || n_poor > options.improve_at_most) return check.min_scaled_jacobian;
+  if (n_poor > most) return check.min_scaled_jacobian;
+  const double room = 0.25 * options.lift_within;
+  check.bad = find_improvable(x, fixed, points, room, check.bad);
+  if (check.bad.empty()) return check.min_scaled_jacobian;
   UntangleOptions how;
   how.threshold = threshold;
   how.max_attempts = 1;
@@ -112,21 +136,38 @@ double improve(const Extrusion& x, const std::vector<char>& fixed, const BaseMet
   return least;
 }
 
-void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
-                   const PlacementOptions& options, Points& points, PlacementReport& report,
-                   ThreadTeam& team, const Context& context) {
-  ElementCheck check = check_elements(x, points, 0.0, team);
-  report.n_inverted_before = static_cast<long>(check.bad.size());
-  if (!check.bad.empty() && options.max_attempts > 0) {
-    untangle_inverted(x, fixed, metric, options, check.bad, points, team, context);
-    check = check_elements(x, points, 0.0, team);
-  }
+/// Whether layers are only interpolated between their ends: they may be improved even where the
+/// boundary left no residual.
+bool is_interpolated(const LayerMotion& motion) {
+  return std::any_of(motion.blocks.begin(), motion.blocks.end(),
+                     [](const MotionBlock& b) { return !b.has_loops && b.k_high > b.k_low + 1; });
+}
+
+void set_quality(const ElementCheck& check, PlacementReport& report) {
   report.inverted = check.bad;
   report.min_scaled_jacobian = check.min_scaled_jacobian;
-  // Where no residual was left, the layers are exact images of the caps and stay so.
-  if (check.bad.empty() && report.was_solved)
-    report.min_scaled_jacobian = improve(x, fixed, metric, options, check.min_scaled_jacobian,
-                                         points, report, team, context);
+  report.mean_scaled_jacobian = check.mean_scaled_jacobian;
+}
+
+void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+                   const PlacementOptions& options, bool may_improve, Points& points,
+                   PlacementReport& report, ThreadTeam& team, const Context& context) {
+  set_quality(check_elements(x, points, 0.0, team), report);
+  report.n_inverted_before = static_cast<long>(report.inverted.size());
+  if (!report.inverted.empty() && options.max_attempts > 0) {
+    untangle_inverted(x, fixed, metric, options, report.inverted, points, team, context);
+    set_quality(check_elements(x, points, 0.0, team), report);
+  }
+  // Layers that are exact images of the caps stay so.
+  if (!report.inverted.empty() || !may_improve) return;
+  const double least =
+      improve(x, fixed, metric, options, report.min_scaled_jacobian, points, report, team, context);
+  if (report.mean_scaled_jacobian < options.raise_mean_below &&
+      x.n_elements() <= options.raise_at_most)
+    ascend_nodes(x, fixed, {}, points, team, context);
+  else if (least == report.min_scaled_jacobian)
+    return;
+  set_quality(check_elements(x, points, 0.0, team), report);
 }
 
 }  // namespace
@@ -139,12 +180,10 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   if (extrusion.n_elements() == 0) return report;
   ThreadTeam team(context.n_threads());
   context.report(0.0, "Placing the interior nodes");
-  const BaseMetric metric = make_base_metric(extrusion, fixed, points);
+  const BaseMetric metric = make_base_metric(extrusion, fixed, points, team);
   if (options.method != PlacementMethod::harmonic_residual) {
     place_by_older_method(options.method, extrusion, fixed, metric, points, team, context);
-    const ElementCheck check = check_elements(extrusion, points, 0.0, team);
-    report.min_scaled_jacobian = check.min_scaled_jacobian;
-    report.inverted = check.bad;
+    set_quality(check_elements(extrusion, points, 0.0, team), report);
     return report;
   }
   const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric);
@@ -152,11 +191,17 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
   report.largest_residual = largest(residuals);
   context.report(0.1, "Extending the boundary's residual");
-  if (report.largest_residual > options.negligible_residual * size_of(points, fixed))
+  const double negligible = options.negligible_residual * size_of(points, fixed);
+  if (report.largest_residual > negligible)
     extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
                      points, report, team, context);
+  context.report(0.5, "Passing from cap to cap");
+  const bool has_passed = choose_transitions(extrusion, fixed, metric, motion,
+                                             {.negligible = negligible}, points, team, context);
   context.report(0.6, "Checking the elements");
-  mend_elements(extrusion, fixed, metric, options, points, report, team, context);
+  // Where no residual was left, layers that follow loops are exact images of the caps and stay so.
+  const bool may_improve = has_passed || report.was_solved || is_interpolated(motion);
+  mend_elements(extrusion, fixed, metric, options, may_improve, points, report, team, context);
   context.report(1.0, "Interior nodes placed");
   return report;
 }

@@ -5,7 +5,10 @@
 //      idealised model (base_metric.h, layered_system.h): the sum of the harmonic coordinates of
 //      the thesis (4.2), without forming one of them. Where nothing is left over, nothing is
 //      solved.
-//   3. Elements are judged; where one is inverted, its neighbourhood is untangled.
+//   3. Where the caps' meshes differ, each block chooses over which layers one passes into the
+//      other (cap_transition.h).
+//   4. Elements are judged; where one is inverted, its neighbourhood is untangled.
+//      Then the worst ones are improved, and in small meshes all (node_ascent.h).
 #pragma once
 
 #include <vector>
@@ -31,9 +34,16 @@ struct PlacementOptions {
   /// While the least value is below the first number, elements within the second of it are improved
   /// too, for as long as that helps; 0 and 0 switch it off.
   double lift_below = 0.7, lift_within = 0.03;
-  /// Nothing is improved when there are more such elements than this: then the shape itself asks
-  /// for them, there is nothing local to improve, and the time would no longer be linear.
-  long improve_at_most = 20000;
+  /// Nothing is improved when there are more such elements than this number and than this part of
+  /// all: then the shape itself asks for them, there is nothing local to improve, and the time
+  /// would no longer be linear. Nor where the boundary alone makes them poor.
+  long improve_at_most = 1000;
+  double improve_at_most_part = 5e-4;
+  /// Where the mean scaled Jacobian is below this (and layers are no exact images of the caps),
+  /// nodes are moved to raise it; 0..1, 0 switches it off. Not in meshes with more elements than
+  /// `raise_at_most`: it takes a hundred times as long as the placement itself.
+  double raise_mean_below = 0.95;
+  long raise_at_most = 20000;
   /// Attempts to untangle, each with twice the rings of neighbours; 0 leaves inverted elements
   /// alone.
   int max_attempts = 5;
@@ -50,7 +60,7 @@ struct PlacementReport {
   std::vector<long> inverted;
   long n_inverted_before = 0;  ///< elements that had to be untangled
   long n_poor_before = 0;      ///< elements that were to be improved
-  double min_scaled_jacobian = 1.0;
+  double min_scaled_jacobian = 1.0, mean_scaled_jacobian = 1.0;
 };
 
 /// `points` has a row for every node; rows of `fixed` nodes are input, the others are set. Both

@@ -155,10 +155,10 @@ double largest(const Residuals& residuals) {
   return most;
 }
 
-std::vector<float> right_hand_side(const Extrusion& extrusion, const LayerMotion& motion,
-                                   const BaseMetric& metric, const Residuals& residuals,
-                                   const LayeredSystem& system, double scale, ThreadTeam& team) {
-  const CellsOfColumns cells(extrusion);
+std::vector<float> right_hand_side(const Extrusion& extrusion, const CellsOfColumns& cells,
+                                   const LayerMotion& motion, const BaseMetric& metric,
+                                   const Residuals& residuals, const LayeredSystem& system,
+                                   double scale, ThreadTeam& team) {
   const CellForce force(extrusion, motion, metric, residuals, system, scale);
   std::vector<float> right(system.size(), 0.0f);
   team.for_chunks(extrusion.n_columns(), columns_per_chunk, [&](long begin, long end, long) {

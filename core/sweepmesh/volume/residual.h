@@ -36,8 +36,9 @@ double largest(const Residuals& residuals);
 
 /// Right-hand side - sum over blocks of A_block residual_block, times `scale`, in the layout of
 /// `system`: so the corrections of all blocks together leave no force at a free node.
-std::vector<float> right_hand_side(const Extrusion& extrusion, const LayerMotion& motion,
-                                   const BaseMetric& metric, const Residuals& residuals,
-                                   const LayeredSystem& system, double scale, ThreadTeam& team);
+std::vector<float> right_hand_side(const Extrusion& extrusion, const CellsOfColumns& cells,
+                                   const LayerMotion& motion, const BaseMetric& metric,
+                                   const Residuals& residuals, const LayeredSystem& system,
+                                   double scale, ThreadTeam& team);
 
 }  // namespace sweepmesh

@@ -146,8 +146,18 @@ IntegerProgram hard_program() {
 TEST(IntegerProgram, TimeLimitReturnsBestSoFar) {
   Context context;
   const Solution s = solve(hard_program(), {.time_limit_seconds = 0.3}, context);
-  EXPECT_EQ(s.status, SolveStatus::feasible_time_limit);
+  EXPECT_EQ(s.status, SolveStatus::feasible_at_limit);
   EXPECT_EQ(s.values.size(), 46u);
+}
+
+TEST(IntegerProgram, LimitOfEffortReturnsTheSameEachTime) {
+  Context context;
+  const SolveOptions few = {.max_effort = 1e5}, none = {.max_effort = 1.0};
+  const Solution a = solve(hard_program(), few, context), b = solve(hard_program(), few, context);
+  EXPECT_EQ(a.status, SolveStatus::feasible_at_limit);
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_THROW(solve(hard_program(), none, context), SolverError);
+  EXPECT_THROW(solve(hard_program(), {.max_effort = 0.0}, context), InputError);
 }
 
 TEST(IntegerProgram, CancelledBeforeItStarts) {

@@ -141,14 +141,14 @@ TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
     Points points = solid.input();
     PlacementOptions options;
     options.reduction = 1e-6;
-    options.improve_up_to = options.lift_below = 0.0;
+    options.improve_up_to = options.lift_below = options.raise_mean_below = 0.0;
     Context context;
     const PlacementReport report =
         place_interior(solid.extrusion, solid.fixed, points, options, context);
     EXPECT_TRUE(report.was_solved);
     // The correction of the affine motion, not the position, is what is harmonic.
     ThreadTeam team;
-    const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, points);
+    const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, points, team);
     const LayerMotion motion = make_layer_motion(solid.extrusion, solid.fixed, points, metric);
     Points prediction(points.rows(), 3), correction = points;
     std::vector<Point3> column(10);

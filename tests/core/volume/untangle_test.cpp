@@ -70,14 +70,14 @@ TEST(Untangle, UnfoldsScrambledInteriors) {
   for (const Base& base : {make_grid(6, 6), holed, with_triangles(holed), make_hexagons(4)}) {
     const Solid solid =
         make_solid(base, 6, [](double x, double y, double w) { return Point3(x, y, 5 * w); });
-    const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, solid.exact);
+    ThreadTeam team;
+    const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, solid.exact, team);
     std::mt19937 random(2);
     std::normal_distribution<double> normal(0.0, 1.0);
     Points points = solid.exact;
     for (long n = 0; n < points.rows(); ++n)
       if (!solid.fixed[n])
         for (int d = 0; d < 3; ++d) points(n, d) += normal(random);
-    ThreadTeam team;
     const ElementCheck before = check_elements(solid.extrusion, points, 0.0, team);
     EXPECT_GT(before.bad.size(), 20u);
     const UntangleReport report =
@@ -191,14 +191,14 @@ TEST(PlaceInterior, ImprovingPoorElementsNeverLowersTheLeastValue) {
 TEST(Untangle, PoorElementsGetBetter) {
   const Solid solid = make_solid(make_square_with_hole(10, 2), 6,
                                  [](double x, double y, double w) { return Point3(x, y, 6 * w); });
-  const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, solid.exact);
+  ThreadTeam team;
+  const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, solid.exact, team);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-0.3, 0.3);
   Points points = solid.exact;
   for (long n = 0; n < points.rows(); ++n)
     if (!solid.fixed[n])
       for (int d = 0; d < 3; ++d) points(n, d) += uniform(random);
-  ThreadTeam team;
   UntangleOptions options;
   options.threshold = 0.5;
   options.max_attempts = 1;

@@ -12,6 +12,7 @@ TYPE_COLOURS = {
 EDGE_COLOURS = {
     "axial": (0.0, 0.2, 0.8),
     "transverse": (0.5, 0.15, 0.0),
+    "divided": (0.25, 0.1, 0.1),
     "own": (0.8, 0.0, 0.5),
     None: (0.2, 0.2, 0.2),
 }

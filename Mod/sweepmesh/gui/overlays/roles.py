@@ -5,6 +5,7 @@ COLOURS = {
     "source": (1.0, 0.55, 0.15),
     "target": (0.20, 0.50, 1.0),
     "linking": (0.80, 0.86, 0.68),
+    "divided": (0.85, 0.70, 0.55),
 }
 _GLOW = 0.2  # part of the colour that needs no light, so that it can be told from all sides
 _BETWEEN = 0.5  # polygon offset: before the shape's faces (1), behind its edges (0)

@@ -15,15 +15,30 @@ const char* const stage = "solve";
 
 using Clock = std::chrono::steady_clock;
 
-struct Deadline {
-  Clock::time_point end;
+/// What ends a search before its end, over all runs of lp_solve for one program.
+struct Limits {
   const Context* context;
-  bool is_over() const { return Clock::now() >= end; }
+  Clock::time_point end;
+  double size;         ///< rows and columns
+  double effort_left;  ///< iterations times size
+
+  bool are_reached(lprec* lp) const {
+    return static_cast<double>(get_total_iter(lp)) * size >= effort_left || Clock::now() >= end;
+  }
 };
 
-int __WINAPI must_stop(lprec*, void* handle) {
-  const auto* deadline = static_cast<const Deadline*>(handle);
-  return deadline->context->is_cancelled() || deadline->is_over();
+int __WINAPI must_stop(lprec* lp, void* handle) {
+  const auto* limits = static_cast<const Limits*>(handle);
+  return limits->context->is_cancelled() || limits->are_reached(lp);
+}
+
+/// Limits from the options; times beyond what the clock counts mean none.
+Limits limits_of(const IntegerProgram& program, const SolveOptions& options,
+                 const Context& context) {
+  constexpr double a_year = 3e7;
+  const std::chrono::duration<double> time(std::min(options.time_limit_seconds, a_year));
+  return {&context, Clock::now() + std::chrono::duration_cast<Clock::duration>(time),
+          static_cast<double>(program.rows.size() + program.variables.size()), options.max_effort};
 }
 
 struct DeleteLp {
@@ -49,8 +64,8 @@ void check_row(const IntegerProgram::Row& row, int n_variables) {
 }
 
 void check(const IntegerProgram& program, const SolveOptions& options) {
-  if (!(options.time_limit_seconds > 0.0) || !(options.gap >= 0.0))
-    throw InputError(stage, "The solver's time limit must be above zero and its gap not below.");
+  if (!(options.time_limit_seconds > 0.0) || !(options.max_effort > 0.0) || !(options.gap >= 0.0))
+    throw InputError(stage, "The solver's limits must be above zero and its gap not below.");
   for (const auto& v : program.variables) check_variable(v);
   for (const auto& row : program.rows) check_row(row, static_cast<int>(program.variables.size()));
 }
@@ -146,16 +161,17 @@ Attempt attempt_of(int code) {
 
 /// One run of lp_solve. The settings differ in scaling and simplex type: a program that stalls or
 /// loses its digits in one of them is solved by the next.
-Attempt run(const IntegerProgram& program, const SolveOptions& options, Deadline& deadline,
-            int setting, std::vector<double>& values) {
+Attempt run(const IntegerProgram& program, const SolveOptions& options, Limits& limits, int setting,
+            std::vector<double>& values) {
   const Lp lp = build(program);
-  put_abortfunc(lp.get(), must_stop, &deadline);
+  put_abortfunc(lp.get(), must_stop, &limits);
   set_mip_gap(lp.get(), TRUE, options.gap);
   set_mip_gap(lp.get(), FALSE, options.gap);
   set_break_at_first(lp.get(), options.first_feasible ? TRUE : FALSE);
   if (setting == 1) set_scaling(lp.get(), SCALE_NONE);
   if (setting == 2) set_simplextype(lp.get(), SIMPLEX_PRIMAL_PRIMAL);
   const Attempt result = attempt_of(solve(lp.get()));
+  limits.effort_left -= static_cast<double>(get_total_iter(lp.get())) * limits.size;
   if (result != Attempt::solved && result != Attempt::cut_short) return result;
   values.assign(program.variables.size(), 0.0);
   if (!get_variables(lp.get(), values.data())) return Attempt::failed;
@@ -172,7 +188,7 @@ double cost(const IntegerProgram& program, const std::vector<double>& x) {
 /// lp_solve wants at least one column.
 Solution solve_empty(const IntegerProgram& program) {
   std::vector<double> none;
-  return {polish(program, none) ? SolveStatus::optimal : SolveStatus::infeasible, {}, 0.0};
+  return {polish(program, none) ? SolveStatus::optimal : SolveStatus::infeasible, {}, 0.0, 0.0};
 }
 
 }  // namespace
@@ -181,23 +197,23 @@ Solution solve(const IntegerProgram& program, const SolveOptions& options, Conte
   check(program, options);
   context.check(stage);
   if (program.variables.empty()) return solve_empty(program);
-  const auto limit = std::chrono::duration<double>(std::min(options.time_limit_seconds, 1e6));
-  Deadline deadline{Clock::now() + std::chrono::duration_cast<Clock::duration>(limit), &context};
+  Limits limits = limits_of(program, options, context);
   const int n_settings = 3;
   for (int setting = 0; setting < n_settings; ++setting) {
     std::vector<double> values;
-    const Attempt result = run(program, options, deadline, setting, values);
+    const Attempt result = run(program, options, limits, setting, values);
     context.check(stage);
-    if (result == Attempt::infeasible) return {SolveStatus::infeasible, {}, 0.0};
+    if (result == Attempt::infeasible) return {SolveStatus::infeasible, {}, 0.0, 0.0};
     if (result == Attempt::unbounded)
       throw SolverError(stage, "The linear program has no finite optimum.");
     if (result != Attempt::failed) {
       const bool cut = result == Attempt::cut_short;
       const double objective = cost(program, values);
-      return {cut ? SolveStatus::feasible_time_limit : SolveStatus::optimal, values, objective};
+      return {cut ? SolveStatus::feasible_at_limit : SolveStatus::optimal, values, objective,
+              options.max_effort - limits.effort_left};
     }
-    if (deadline.is_over())
-      throw SolverError(stage, "lp_solve found no solution within its time limit.");
+    if (limits.effort_left <= 0.0 || Clock::now() >= limits.end)
+      throw SolverError(stage, "lp_solve found no solution within its limits.");
   }
   throw SolverError(stage, "lp_solve failed numerically.");
 }

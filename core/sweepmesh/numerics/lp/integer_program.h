@@ -3,9 +3,10 @@
 //   minimise  sum_j objective_j x_j   subject to   lower_j <= x_j <= upper_j,
 //             sum_j a_rj x_j  (<=, =, >=)  right_r,   x_j integer where it is marked so.
 //
-// The solver prints nothing and gives the same answer for the same program on every run, unless a
-// time limit cuts it short. Reference: lp_solve 5.5 (Berkelaar, Eikland, Notebaert), branch and
-// bound over the simplex method.
+// The solver prints nothing and gives the same answer for the same program on every run and every
+// machine, unless a limit of time cuts it short; the limit of effort does not depend on the clock.
+// Reference: lp_solve 5.5 (Berkelaar, Eikland, Notebaert), branch and bound over the simplex
+// method.
 #pragma once
 
 #include <limits>
@@ -55,25 +56,30 @@ struct IntegerProgram {
 };
 
 struct SolveOptions {
-  double time_limit_seconds = 20.0;  ///< > 0; the best solution found by then is returned
+  /// Work after which the best solution found by then is returned, > 0: iterations of the simplex
+  /// method times the rows and columns of the program. A second of a machine of 2023 does about
+  /// 2e7.
+  double max_effort = 5e8;
+  double time_limit_seconds = unbounded;  ///< > 0; the same for time
   /// Branch and bound ends when no better solution than by this absolute amount is left, >= 0.
   double gap = 1e-9;
   /// Look for any feasible integer solution and stop at the first.
   bool first_feasible = false;
 };
 
-enum class SolveStatus { optimal, feasible_time_limit, infeasible };
+enum class SolveStatus { optimal, feasible_at_limit, infeasible };
 
 struct Solution {
   SolveStatus status = SolveStatus::infeasible;
   std::vector<double> values;  ///< of the variables (integers exactly so); empty where infeasible
   double objective = 0.0;
+  double effort = 0.0;  ///< that it took, see SolveOptions
 };
 
 /// Throws InputError for a malformed program (index out of range, crossed bounds, not a number),
 /// SolverError where the program is unbounded, where lp_solve fails numerically in every setting
-/// tried or finds no solution within the time limit, and Cancelled. With `first_feasible` the
-/// status is `optimal` only where the program's objective is zero; otherwise `feasible_time_limit`.
+/// tried or finds no solution within the limits, and Cancelled. With `first_feasible` the
+/// status is `optimal` only where the program's objective is zero; otherwise `feasible_at_limit`.
 Solution solve(const IntegerProgram& program, const SolveOptions& options, Context& context);
 
 }  // namespace sweepmesh
