@@ -417,7 +417,7 @@
   <context>
     <name>SweepMeshPreview</name>
     <message>
-      <source>Dots are the nodes that the mesh is to have on the edges, numbers say how many mesh edges lie between. Edges along the sweep are blue, edges within a layer orange.</source>
+      <source>Dots are the nodes that the mesh is to have on the edges, numbers say how many mesh edges lie between. Edges along the sweep are blue, edges within a layer brown.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -441,7 +441,7 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Number of mesh edges on each edge: blue along the sweep, orange across it</source>
+      <source>Number of mesh edges on each edge: blue along the sweep, brown across it</source>
       <translation type="unfinished" />
     </message>
     <message>
