@@ -13,6 +13,7 @@
 from sweepmesh.engine import (
     Assessment,
     Cancelled,
+    ImprintError,
     InputError,
     InvalidMeshError,
     Model,
@@ -33,6 +34,7 @@ from sweepmesh.output import write
 __all__ = [
     "Assessment",
     "Cancelled",
+    "ImprintError",
     "InputError",
     "InvalidMeshError",
     "Model",

@@ -3,6 +3,7 @@
 from sweepmesh.engine._sweepmesh import __version__
 from sweepmesh.engine.errors import (
     Cancelled,
+    ImprintError,
     InputError,
     InvalidMeshError,
     SolverError,
@@ -21,6 +22,7 @@ __all__ = [
     "Cancelled",
     "EdgeDirection",
     "Imprint",
+    "ImprintError",
     "InputError",
     "InvalidMeshError",
     "Model",
