@@ -1,6 +1,8 @@
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include "bind.h"
+#include "sweepmesh/scheme/face_types.h"
 #include "sweepmesh/scheme/scheme.h"
 
 namespace py = pybind11;
@@ -22,6 +24,28 @@ Picks make_picks(const std::vector<int>& sources, const std::vector<int>& target
   for (const auto& [face, vertex, type] : types)
     picks.types.push_back({FaceId{face}, VertexId{vertex}, type});
   return picks;
+}
+
+std::vector<TypedCorner> face_types(const Model& model, int face, const Picks& picks,
+                                    TypeModel type_model, bool has_templates, Context& context) {
+  return types_of_face(model, FaceId{face}, {type_model, has_templates, picks.types}, context);
+}
+
+void bind_face_types(py::module_& module) {
+  py::enum_<TypeModel>(module, "TypeModel")
+      .value("fewest_changes", TypeModel::fewest_changes)
+      .value("ruiz_girones", TypeModel::ruiz_girones);
+  py::class_<TypedCorner>(module, "TypedCorner")
+      .def_readonly("loop", &TypedCorner::loop)
+      .def_property_readonly("vertex", [](const TypedCorner& c) { return c.vertex.index; })
+      .def_property_readonly("edge", [](const TypedCorner& c) { return c.edge.index; })
+      .def_readonly("point", &TypedCorner::point)
+      .def_readonly("angle", &TypedCorner::angle)
+      .def_readonly("nearest", &TypedCorner::nearest)
+      .def_readonly("type", &TypedCorner::type);
+  module.def("face_types", &face_types, py::arg("model"), py::arg("face"), py::arg("picks"),
+             py::arg("type_model"), py::arg("has_templates"), py::arg("context"),
+             py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace
@@ -57,6 +81,7 @@ void bind_scheme(py::module_& module) {
   py::class_<Picks>(module, "Picks", "What the user chose; faces and vertices count from 0.")
       .def(py::init(&make_picks), py::arg("sources"), py::arg("targets"), py::arg("pairs"),
            py::arg("types"));
+  bind_face_types(module);
 }
 
 }  // namespace sweepmesh

@@ -1,5 +1,8 @@
 #include "sweepmesh/plan.h"
 
+#include <algorithm>
+#include <exception>
+
 #include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
@@ -76,7 +79,7 @@ void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fract
 namespace {
 
 /// Of the best scheme of plan.assessment.
-void fill(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
+void fill_best(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
   const Scheme& scheme = plan.assessment.schemes.front();
   plan.corners = corners_of(model, scheme);
   const IntervalOptions intervals = interval_options(model, options, plan.size);
@@ -90,6 +93,36 @@ void fill(const Model& model, const SweepOptions& options, Context& context, Swe
   plan.directions = directions_of(model, scheme, plan.intervals);
 }
 
+/// Of the first scheme whose intervals can be had, as sweep() does; that is then the best. Throws
+/// the first error where there is none.
+void fill(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
+  auto& schemes = plan.assessment.schemes;
+  std::exception_ptr first_error;
+  for (const std::size_t s : tries(schemes.size())) try {
+      std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
+      return fill_best(model, options, context, plan);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error&) {
+      if (!first_error) first_error = std::current_exception();
+      std::rotate(schemes.begin(), schemes.begin() + 1, schemes.begin() + s + 1);
+    }
+  std::rethrow_exception(first_error);
+}
+
+/// The same plan where the solid cannot be divided.
+SweepPlan plan_of_divided(const Model& model, const Picks& picks, const SweepOptions& options,
+                          Context& context, const SweepPlan& whole) {
+  if (!may_be_divided(whole.assessment)) return whole;
+  const auto divided = divide_to_sweep(model, picks, options, context);
+  if (!divided) return whole;
+  SweepPlan plan;
+  plan.size = whole.size;
+  plan.assessment = divided->assessment;
+  fill(divided->parts.model, divided->options, context, plan);
+  return of_whole(model, divided->parts, plan);
+}
+
 }  // namespace
 
 SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions& options,
@@ -100,16 +133,17 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   plan.size = options.size.value_or(default_size(model));
   refuse_explosion(model, options, plan.size);
   plan.assessment = assess(model, picks, context);
-  if (plan.assessment.is_sweepable()) {
+  if (!plan.assessment.is_sweepable()) return plan_of_divided(model, picks, options, context, plan);
+  try {
     fill(model, options, context, plan);
-  } else if (may_be_divided(plan.assessment)) {
-    const auto divided = divide_to_sweep(model, picks, options, context);
-    if (!divided) return plan;
-    plan.assessment = divided->assessment;
-    fill(divided->parts.model, divided->options, context, plan);
-    return of_whole(model, divided->parts, plan);
+    return plan;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    const SweepPlan divided = plan_of_divided(model, picks, options, context, plan);
+    if (divided.directions.empty()) throw;
+    return divided;
   }
-  return plan;
 }
 
 }  // namespace sweepmesh

@@ -38,18 +38,8 @@ std::string division_warning(const Model& model, const Scheme& scheme) {
       faces += (faces.empty() ? "" : ", ") + name_of(f);
   if (faces.empty()) return "The sweep turns in the middle of rounded edges.";
   return "The sweep turns in the middle of rounded edges: partly source or target and partly "
-         "linking "
-         "is " +
+         "linking is " +
          faces + ".";
-}
-
-/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
-/// straight where the solid has such sweeps.
-std::vector<std::size_t> tries(std::size_t n) {
-  std::vector<std::size_t> out;
-  for (std::size_t s = 0; s < n; ++s)
-    if (s < 4 || s + 2 >= n) out.push_back(s);
-  return out;
 }
 
 std::string text_of(double size) {
@@ -172,14 +162,30 @@ bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& op
   return true;
 }
 
+/// The solid as it is or, where that cannot be swept or meshed, divided. False: it cannot be swept.
 bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions& options,
                       StageClock& clock, Context& context, SweepResult& result) {
-  return result.assessment.is_sweepable()
-             ? SchemeTrier(model, options, clock, context, result).at_some_size()
-             : mesh_divided(model, picks, options, clock, context, result);
+  if (!result.assessment.is_sweepable())
+    return mesh_divided(model, picks, options, clock, context, result);
+  try {
+    return SchemeTrier(model, options, clock, context, result).at_some_size();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    result.warnings.clear();
+    if (mesh_divided(model, picks, options, clock, context, result)) return true;
+    throw;
+  }
 }
 
 }  // namespace
+
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
 
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context) {

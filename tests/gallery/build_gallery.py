@@ -25,7 +25,7 @@ from sweepmesh.freecad import import_freecad  # noqa: E402
 
 FreeCAD = import_freecad()
 import Part  # noqa: E402
-from solids import many_to_many, many_to_one, one_to_one, plates, radial_and_unsweepable  # noqa: E402, F401
+from solids import many_to_many, many_to_one, one_to_one, plates, radial_and_unsweepable, rounds  # noqa: E402, F401
 from solids.kit import one_solid, rounded  # noqa: E402
 from solids.registry import SOLIDS, interior_point  # noqa: E402
 

@@ -10,6 +10,7 @@ from sweepmesh.engine.errors import (
     SweepMeshError,
 )
 from sweepmesh.engine.imprints import Imprint, imprint
+from sweepmesh.engine.face_types import FaceCorner, face_types
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
 from sweepmesh.engine.plans import EdgeDirection, SweepPlan, VirtualCorner, plan
@@ -21,6 +22,7 @@ __all__ = [
     "Assessment",
     "Cancelled",
     "EdgeDirection",
+    "FaceCorner",
     "Imprint",
     "ImprintError",
     "InputError",
@@ -37,6 +39,7 @@ __all__ = [
     "__version__",
     "assess",
     "face_at",
+    "face_types",
     "imprint",
     "mesh",
     "plan",

@@ -13,8 +13,8 @@ struct TemplateOptions {
   /// Edges are tangent where the angle between them is straight within this, radians.
   double tangent_tolerance = kQuarterTurn / 18;
   /// A run of edges is a round where its turn is a whole number of quarter turns within this,
-  /// radians.
-  double turn_tolerance = kQuarterTurn / 4;
+  /// radians. A circle with a keyway lacks up to 40 degrees of a full turn.
+  double turn_tolerance = 0.45 * kQuarterTurn;
   /// An edge is a chamfer where both its corners have 135 degrees (or both 225) within this,
   /// radians,
   double chamfer_tolerance = kQuarterTurn / 6;

@@ -121,6 +121,31 @@ std::size_t n_runs(const Imprint& imprint) {
   return n;
 }
 
+/// Of upright solids: a part of a straight CAD edge is as long as the imprint edge it stands for,
+/// but for what curves were brought together.
+void expect_traces_fit(const Model& model, const Imprint& imprint, double moved) {
+  for (const ImprintEdge& e : imprint.edges)
+    for (const Trace& t : e.traces) {
+      const Point3 way = model.point(t.edge, t.last) - model.point(t.edge, t.first);
+      EXPECT_NEAR(way.head<2>().norm(), (e.points.back() - e.points.front()).norm(), moved)
+          << name_of(t.edge);
+    }
+}
+
+TEST(Imprint, SeveralCrossingsOnOneEdgeAreCutWhereTheyAre) {
+  const Model model = test::terraced({{rectangle(0, 0, 60, 30), 0, 20},
+                                      {rectangle(0, 0, 60, 15), -10, 10},
+                                      {rectangle(10, 0, 18, 30), 10, 30},
+                                      {rectangle(27, 0, 33, 30), 10, 34},
+                                      {rectangle(45, 0, 52, 30), 10, 38}});
+  expect_traces_fit(model, imprinted(model, 0.0), 1e-3 * size);
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const Model random = test::terraced(test::random_terraces(seed));
+    expect_traces_fit(random, imprinted(random, 0.0), 1e-2 * size);
+  }
+}
+
 TEST(Imprint, OneToOneIsOnePatchAndOneRun) {
   const Model model = test::terraced({{test::regular_polygon({0, 0}, 10, 6), 0, 20}});
   const Imprint imprint = imprinted(model);
