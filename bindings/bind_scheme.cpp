@@ -15,9 +15,12 @@ std::vector<FaceId> face_ids(const std::vector<int>& faces) {
 }
 
 Picks make_picks(const std::vector<int>& sources, const std::vector<int>& targets,
-                 const std::vector<std::pair<int, int>>& pairs) {
+                 const std::vector<std::pair<int, int>>& pairs,
+                 const std::vector<std::tuple<int, int, VertexType>>& types) {
   Picks picks{face_ids(sources), face_ids(targets), {}};
   for (const auto& [source, target] : pairs) picks.pairs.emplace_back(source, target);
+  for (const auto& [face, vertex, type] : types)
+    picks.types.push_back({FaceId{face}, VertexId{vertex}, type});
   return picks;
 }
 
@@ -28,7 +31,8 @@ void bind_scheme(py::module_& module) {
       .value("none", FaceRole::none)
       .value("source", FaceRole::source)
       .value("target", FaceRole::target)
-      .value("linking", FaceRole::linking);
+      .value("linking", FaceRole::linking)
+      .value("divided", FaceRole::divided);
   py::enum_<ReasonKind>(module, "ReasonKind")
       .value("topological", ReasonKind::topological)
       .value("geometric", ReasonKind::geometric)
@@ -45,8 +49,14 @@ void bind_scheme(py::module_& module) {
       .def_readonly("schemes", &Assessment::schemes)
       .def_readonly("reasons", &Assessment::reasons)
       .def("is_sweepable", &Assessment::is_sweepable);
-  py::class_<Picks>(module, "Picks", "What the user chose; faces count from 0.")
-      .def(py::init(&make_picks), py::arg("sources"), py::arg("targets"), py::arg("pairs"));
+  py::enum_<VertexType>(module, "VertexType")
+      .value("end", VertexType::end)
+      .value("side", VertexType::side)
+      .value("corner", VertexType::corner)
+      .value("reversal", VertexType::reversal);
+  py::class_<Picks>(module, "Picks", "What the user chose; faces and vertices count from 0.")
+      .def(py::init(&make_picks), py::arg("sources"), py::arg("targets"), py::arg("pairs"),
+           py::arg("types"));
 }
 
 }  // namespace sweepmesh

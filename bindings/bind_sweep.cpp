@@ -42,12 +42,33 @@ void bind_options(py::module_& module) {
       .value("hex", ElementKind::hex)
       .value("prism", ElementKind::prism)
       .value("polyhedron", ElementKind::polyhedron);
+  py::class_<Bias>(module, "Bias")
+      .def(py::init([](double ratio, bool symmetric) {
+             return Bias{ratio, symmetric};
+           }),
+           py::arg("ratio"), py::arg("symmetric") = Bias{}.symmetric)
+      .def_readonly("ratio", &Bias::ratio)
+      .def_readonly("symmetric", &Bias::symmetric);
   py::class_<SweepOptions>(module, "SweepOptions")
       .def(py::init<>())
       .def_readwrite("size", &SweepOptions::size)
       .def_readwrite("layers", &SweepOptions::layers)
       .def_readwrite("element", &SweepOptions::element)
       .def_readwrite("order", &SweepOptions::order)
+      .def(
+          "set_edge_size",
+          [](SweepOptions& o, int edge, double size) { o.edge_size[EdgeId(edge)] = size; },
+          py::arg("edge"), py::arg("size"))
+      .def(
+          "set_edge_count",
+          [](SweepOptions& o, int edge, int count) { o.edge_count[EdgeId(edge)] = count; },
+          py::arg("edge"), py::arg("count"))
+      .def(
+          "set_edge_bias",
+          [](SweepOptions& o, int edge, const Bias& bias) { o.edge_bias[EdgeId(edge)] = bias; },
+          py::arg("edge"), py::arg("bias"))
+      .def_readwrite("sweep_bias", &SweepOptions::sweep_bias)
+      .def_readwrite("imprint_tolerance", &SweepOptions::imprint_tolerance)
       .def_readwrite("max_elements", &SweepOptions::max_elements);
 }
 
@@ -94,7 +115,8 @@ void bind_sweep(py::module_& module) {
             scaled_jacobians(result.mesh, context).data(), result.quality.n_elements));
       },
       py::arg("result"), py::arg("context"), unlocked());
-  module.def("assess", &assess_solids, py::arg("solids"), py::arg("picks"), py::arg("context"), unlocked());
+  module.def("assess", &assess_solids, py::arg("solids"), py::arg("picks"), py::arg("context"),
+             unlocked());
 }
 
 }  // namespace sweepmesh

@@ -10,4 +10,5 @@ PYBIND11_MODULE(_sweepmesh, module) {
   sweepmesh::bind_quality(module);
   sweepmesh::bind_sweep(module);
   sweepmesh::bind_plan(module);
+  sweepmesh::bind_imprint(module);
 }

@@ -24,7 +24,31 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Click on a linking face, then on its vertices.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Click on an edge near the end where its mesh edges are to be short.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Click on edges of the solid.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Click on vertices of {}, or on another face.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Corner (3)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Create sweep mesh</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Edge length</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -33,6 +57,14 @@
     </message>
     <message>
       <source>Elements in each of 20 classes of quality, from -1 to 1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>End (1 quad)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Exact numbers of mesh edges on edges: Edge5=12</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -48,7 +80,27 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Growth</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Hexahedra</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How linking faces turn at vertices: Face3:Vertex7=corner</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How mesh edges grow along edges: Edge5=1.2, Edge5=1.2 both</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How mesh edges grow along the sweep; 1: not at all</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Intervals</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -61,6 +113,10 @@
     </message>
     <message>
       <source>Mean quality of the elements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nearer curves of caps become one; 0: from the size</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -120,11 +176,19 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Reversal (4)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Scaled Jacobian: least {:.3f}, mean {:.3f}; {} inverted</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>Second</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Side (2 quads)</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -156,11 +220,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>The solid can be swept, but not with these settings:</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The solid can be swept.</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>The solid cannot be swept.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>They grow from both ends to the middle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Vertex type</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -196,7 +272,94 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Wished edge lengths on edges: Edge5=0.8</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{1} of {0}: {2}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{} layers, edge length {:.3g} mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>{} nodes, {} hexahedra, {} prisms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{}: edge length {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{}: growth {:g}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{}: growth {:g} from both ends</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{}: {} intervals</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>SweepMeshOverrides</name>
+    <message>
+      <source>Each mesh edge is so many times as long as the one before, starting at the end near which the edge is clicked</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>From both ends</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How many quads of the linking face meet at the picked vertices</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Mesh edges grow from both ends to the middle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Number of mesh edges on the picked edges</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Numbers of mesh edges, sizes and biases of single edges. They are kept with the mesh object. Edges that are opposite each other on a linking face get equal numbers, so that one of them is enough.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Overrides</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Pick</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Remove</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Take back what is marked in the list</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What is prescribed for the picked edges or vertices</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What is prescribed; what is marked is selected in the 3D view and can be changed above</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>While this is down, a click in the 3D view prescribes this; a second click on the same takes it back</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Wished edge length on the picked edges</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -244,6 +407,61 @@
     </message>
     <message>
       <source>one a processor</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>SweepMeshPreview</name>
+    <message>
+      <source>Dots are the nodes that the mesh is to have on the edges, numbers say how many mesh edges lie between. Edges along the sweep are blue, edges within a layer orange.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How linking faces turn at their vertices: E end, S side, C corner, R reversal</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Intervals</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Layers are counted from the lowest targets, 0, to the highest sources. All vertices and edges of a cap lie in one layer; their colour and the number beside them say in which one.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Levels</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Number of mesh edges on each edge: blue along the sweep, orange across it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Preview</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Roles of the faces</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sources are drawn orange, targets blue, linking faces pale</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The layer at which the caps lie: from violet, the lowest, over green to yellow, the highest</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The letters say how many quads of a linking face meet at its vertices: one at an end (E), two at a side (S), three at a corner (C), four at a reversal (R).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The mesh is swept from the sources to the targets. Linking faces lie between them and get structured grids.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Vertex types</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -297,7 +515,19 @@
   <context>
     <name>SweepMeshSweep</name>
     <message>
+      <source>Both</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Click on a reason to see in the 3D view what it is about</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Curves of different caps that are nearer than this become one; 0: from the size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Each layer is so many times as thick as the one before, from the targets to the sources; 1: even layers</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -321,15 +551,19 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>How linking faces turn at their vertices: E end, S side, C corner, R reversal</source>
+      <source>Growth</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Intervals</source>
+      <source>Imprint</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>Layers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Layers grow from both ends to the middle</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -342,10 +576,6 @@
     </message>
     <message>
       <source>Number of layers from the targets to the sources</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Number of mesh edges on each edge: blue along the sweep, orange across it</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -373,14 +603,6 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Roles of the faces</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Show</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <source>Size</source>
       <translation type="unfinished" />
     </message>
@@ -394,10 +616,6 @@
     </message>
     <message>
       <source>Sources and targets</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Sources are drawn orange, targets blue, linking faces pale</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -429,11 +647,11 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Vertex types</source>
+      <source>What the mesh is made of</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <source>What the mesh is made of</source>
+      <source>Where a sweep has several sources or targets, their outlines are imprinted on each other. Outlines that nearly coincide would leave slivers: those nearer than this length are brought together.</source>
       <translation type="unfinished" />
     </message>
     <message>

@@ -113,7 +113,30 @@ BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Inter
   const std::vector<NodeId> up = add_cap(upper, mesh.surface);
   const std::vector<NodeId> down = add_cap(lower, mesh.surface);
   add_inner_columns(upper, up, down, column_at, mesh);
+  drop_loose_nodes(mesh);
   return mesh;
+}
+
+void drop_loose_nodes(BoundaryMesh& mesh) {
+  SurfaceMesh& surface = mesh.surface;
+  std::vector<char> is_used(surface.n_nodes(), 0);
+  for (const int n : surface.cell_nodes) is_used[n] = 1;
+  std::vector<int> number(surface.n_nodes(), -1);
+  int n_used = 0;
+  for (int n = 0; n < surface.n_nodes(); ++n) {
+    if (!is_used[n]) continue;
+    surface.points[n_used] = surface.points[n];
+    surface.owner[n_used] = surface.owner[n];
+    surface.k[n_used] = surface.k[n];
+    number[n] = n_used++;
+  }
+  surface.points.resize(n_used);
+  surface.owner.resize(n_used);
+  surface.k.resize(n_used);
+  for (int& n : surface.cell_nodes) n = number[n];
+  for (ColumnNodes& column : mesh.columns)
+    for (NodeId& n : column.nodes)
+      if (n.is_valid()) n.index = number[n.index];
 }
 
 }  // namespace sweepmesh

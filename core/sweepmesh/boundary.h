@@ -25,4 +25,7 @@ struct BoundaryMesh {
 BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
                            const IntervalOptions& options, CellKind kind, Context& context);
 
+/// Takes out nodes that no cell uses: those of seams and poles, which a cap's mesh passes over.
+void drop_loose_nodes(BoundaryMesh& mesh);
+
 }  // namespace sweepmesh

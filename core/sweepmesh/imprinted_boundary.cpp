@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "sweepmesh/imprint/axial_spacing.h"
 #include "sweepmesh/surface/cap_mesh.h"
 #include "sweepmesh/surface/linking_columns.h"
 #include "sweepmesh/surface/linking_edges.h"
@@ -38,9 +39,11 @@ class BoundaryMesher {
         context_(context) {}
 
   BoundaryMesh run() {
-    edges_ = mesh_edges(model_, counts_.intervals,
-                        place_imprinted_nodes(model_, imprint_, counts_, options_), out_.surface);
+    EdgeNodes nodes = place_imprinted_nodes(model_, imprint_, counts_, options_);
+    space_by_levels(model_, scheme_, counts_.intervals, options_, nodes);
+    edges_ = mesh_edges(model_, counts_.intervals, nodes, out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);
+    if (!options_.sweep_bias) space_by_levels(model_, scheme_, options_.size, out_.surface);
     base_ = mesh_base(model_, imprint_, counts_.edge, options_.size, kind_, context_);
     find_base_nodes();
     make_columns();
@@ -48,6 +51,7 @@ class BoundaryMesher {
     for (const FaceId f : model_.faces())
       if (is_cap(scheme_.face_role[f.index])) add_cap_over_base(f);
     make_runs();
+    drop_loose_nodes(out_);
     return std::move(out_);
   }
 

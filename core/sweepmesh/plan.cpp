@@ -1,7 +1,9 @@
 #include "sweepmesh/plan.h"
 
+#include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
+#include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 
 namespace sweepmesh {
@@ -14,18 +16,78 @@ std::vector<CornerType> corners_of(const Model& model, const Scheme& scheme) {
     const auto& types = scheme.face[face.index].type;
     for (std::size_t l = 0; l < loops.size(); ++l)
       for (std::size_t c = 0; c < loops[l].size(); ++c)
-        out.push_back({face, loops[l][c].end, types[l][c]});
+        out.push_back({face, loops[l][c].end, types[l][c], model.point(loops[l][c].end)});
   }
   return out;
 }
 
-Intervals intervals_of(const Model& model, const Scheme& scheme, const IntervalOptions& options,
-                       Context& context) {
-  if (is_one_to_one(scheme)) return assign_intervals(model, scheme, options, context);
-  ImprintOptions how;
-  how.size = options.size;
+std::vector<EdgeDirection> directions_of(const Model& model, const Scheme& scheme,
+                                         const Intervals& intervals) {
+  std::vector<EdgeDirection> out;
+  for (const FaceId face : scheme.faces_with(FaceRole::linking)) {
+    const auto& loops = model.loops(face);
+    const auto& direction = scheme.face[face.index].direction;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0; i < loops[l].size(); ++i) {
+        const Coedge& c = loops[l][i];
+        out.push_back({face, c.edge, direction[l][i], c.reversed, model.point(c.start),
+                       model.point(c.end), intervals.edge[c.edge.index]});
+      }
+  }
+  return out;
+}
+
+std::vector<Points> points_of(const Model& model, const EdgeNodes& nodes) {
+  std::vector<Points> out(nodes.t.size());
+  for (const EdgeId edge : model.edges()) {
+    const auto& t = nodes.t[edge.index];
+    out[edge.index].resize(static_cast<Eigen::Index>(t.size()), 3);
+    for (std::size_t n = 0; n < t.size(); ++n)
+      out[edge.index].row(static_cast<Eigen::Index>(n)) = model.point(edge, t[n]);
+  }
+  return out;
+}
+
+void plan_one_to_one(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                     Context& context, SweepPlan& plan) {
+  plan.intervals = assign_intervals(model, scheme, options, context);
+  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+}
+
+/// Nodes on cuts through the caps belong to no edge and are left out.
+void plan_shell(const Model& model, const Scheme& scheme, const IntervalOptions& options,
+                Context& context, SweepPlan& plan) {
+  const Shell shell = find_shell(model, scheme, context);
+  plan.intervals = count_shell(model, scheme, shell, options, context).intervals;
+  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+}
+
+void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fraction,
+                    const IntervalOptions& options, Context& context, SweepPlan& plan) {
+  const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
   const Imprint imprint = imprint_caps(model, scheme, how, context);
-  return count_imprint(model, scheme, imprint, options, context).intervals;
+  const ImprintCounts counts = count_imprint(model, scheme, imprint, options, context);
+  plan.intervals = counts.intervals;
+  plan.edge_nodes = points_of(model, place_imprinted_nodes(model, imprint, counts, options));
+}
+
+}  // namespace
+
+namespace {
+
+/// Of the best scheme of plan.assessment.
+void fill(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
+  const Scheme& scheme = plan.assessment.schemes.front();
+  plan.corners = corners_of(model, scheme);
+  const IntervalOptions intervals = interval_options(model, options, plan.size);
+  if (is_shell_like(model, scheme))
+    plan_shell(model, scheme, intervals, context, plan);
+  else if (is_one_to_one(scheme))
+    plan_one_to_one(model, scheme, intervals, context, plan);
+  else
+    plan_imprinted(model, scheme, merge_fractions(options, plan.size).front(), intervals, context,
+                   plan);
+  plan.directions = directions_of(model, scheme, plan.intervals);
 }
 
 }  // namespace
@@ -38,10 +100,15 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   plan.size = options.size.value_or(default_size(model));
   refuse_explosion(model, options, plan.size);
   plan.assessment = assess(model, picks, context);
-  if (!plan.assessment.is_sweepable()) return plan;
-  const Scheme& scheme = plan.assessment.schemes.front();
-  plan.corners = corners_of(model, scheme);
-  plan.intervals = intervals_of(model, scheme, interval_options(options, plan.size), context);
+  if (plan.assessment.is_sweepable()) {
+    fill(model, options, context, plan);
+  } else if (may_be_divided(plan.assessment)) {
+    const auto divided = divide_to_sweep(model, picks, options, context);
+    if (!divided) return plan;
+    plan.assessment = divided->assessment;
+    fill(divided->parts.model, divided->options, context, plan);
+    return of_whole(model, divided->parts, plan);
+  }
   return plan;
 }
 

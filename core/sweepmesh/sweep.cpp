@@ -1,191 +1,16 @@
 #include "sweepmesh/sweep.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <utility>
 
-#include "sweepmesh/boundary.h"
-#include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/imprinted_boundary.h"
-#include "sweepmesh/intervals/assign_intervals.h"
-#include "sweepmesh/intervals/wishes.h"
-#include "sweepmesh/second_order_on_model.h"
-#include "sweepmesh/volume/place.h"
+#include "sweepmesh/divided_sweep.h"
+#include "sweepmesh/scheme_mesh.h"
 
 namespace sweepmesh {
 namespace {
-
-/// Runs stages and notes how long each took.
-class StageClock {
- public:
-  explicit StageClock(std::map<std::string, double>& seconds) : seconds_(seconds) {}
-
-  template <class F>
-  auto run(const char* stage, F&& f) {
-    const Timer timer(seconds_[stage]);
-    return f();
-  }
-
- private:
-  class Timer {
-   public:
-    explicit Timer(double& total) : total_(total) {}
-    ~Timer() {
-      total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    }
-
-   private:
-    double& total_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  };
-
-  std::map<std::string, double>& seconds_;
-};
-
-[[noreturn]] void refuse(const std::string& sentence, std::vector<std::string> entities = {}) {
-  throw InputError("options", sentence, std::move(entities));
-}
-
-}  // namespace
-
-void check_options(const SweepOptions& options) {
-  if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
-    refuse("The element size must be a positive number.");
-  if (options.layers && *options.layers < 1) refuse("The number of layers must be at least 1.");
-  if (options.order != 1 && options.order != 2) refuse("The element order must be 1 or 2.");
-  if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
-  if (options.element == ElementKind::polyhedron)
-    refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
-}
-
-void check_picks(const Picks& picks) {
-  for (const FaceId source : picks.sources)
-    if (std::find(picks.targets.begin(), picks.targets.end(), source) != picks.targets.end())
-      refuse(name_of(source) + " is given as a source and as a target.", {name_of(source)});
-  for (const auto& [source, target] : picks.pairs)
-    if (source == target) refuse(name_of(source) + " is paired with itself.", {name_of(source)});
-}
-
-IntervalOptions interval_options(const SweepOptions& options, double size) {
-  IntervalOptions out;
-  out.size = size;
-  out.layers = options.layers;
-  out.quad_caps = options.element == ElementKind::hex;
-  return out;
-}
-
-namespace {
-
-std::string in_millions(double count) {
-  char text[32];
-  std::snprintf(text, sizeof text, count < 1e5 ? "%.0f" : "%.3g", count);
-  return text;
-}
-
-}  // namespace
-
-void refuse_explosion(const Model& model, const SweepOptions& options, double size) {
-  IntervalOptions intervals = interval_options(options, size);
-  double expected = expected_elements(model, intervals);
-  if (options.layers) expected = std::max(expected, static_cast<double>(*options.layers));
-  if (expected <= static_cast<double>(options.max_elements)) return;
-  refuse("About " + in_millions(expected) +
-         " elements are to be expected, more than the limit of " +
-         in_millions(static_cast<double>(options.max_elements)) +
-         "; choose a larger size, or lift the limit (max_elements).");
-}
-
-bool is_one_to_one(const Scheme& scheme) {
-  return scheme.faces_with(FaceRole::source).size() == 1 &&
-         scheme.faces_with(FaceRole::target).size() == 1;
-}
-
-namespace {
-
-BoundaryMesh boundary_of_one(const Model& model, const Scheme& scheme,
-                             const IntervalOptions& options, CellKind kind, StageClock& clock,
-                             Context& context, SweepResult& result) {
-  context.report(0.1, "Choosing intervals");
-  result.intervals =
-      clock.run("intervals", [&] { return assign_intervals(model, scheme, options, context); });
-  context.report(0.2, "Meshing the surface");
-  return clock.run("surface", [&] {
-    return mesh_boundary(model, scheme, result.intervals, options, kind, context);
-  });
-}
-
-BoundaryMesh boundary_with_merging(const Model& model, const Scheme& scheme, double merge_fraction,
-                                   const IntervalOptions& options, CellKind kind, StageClock& clock,
-                                   Context& context, SweepResult& result) {
-  context.report(0.05, "Imprinting");
-  const Imprint imprint = clock.run("imprint", [&] {
-    const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
-    return imprint_caps(model, scheme, how, context);
-  });
-  context.report(0.1, "Choosing intervals");
-  const ImprintCounts counts = clock.run(
-      "intervals", [&] { return count_imprint(model, scheme, imprint, options, context); });
-  result.intervals = counts.intervals;
-  context.report(0.2, "Meshing the surface");
-  return clock.run("surface", [&] {
-    return mesh_imprinted_boundary(model, scheme, imprint, counts, options, kind, context);
-  });
-}
-
-/// Near curves are brought together within the usual distance, or, where curves then get into each
-/// other's way or cells have no room on a cap, within another one. If none will do, the first error
-/// counts.
-BoundaryMesh boundary_of_many(const Model& model, const Scheme& scheme,
-                              const IntervalOptions& options, CellKind kind, StageClock& clock,
-                              Context& context, SweepResult& result) {
-  const double usual = ImprintOptions{}.merge_fraction;
-  std::exception_ptr first;
-  for (const double fraction : {usual, 0.4 * usual, 1.6 * usual, 0.1 * usual}) try {
-      BoundaryMesh boundary =
-          boundary_with_merging(model, scheme, fraction, options, kind, clock, context, result);
-      if (fraction != usual)
-        result.warnings.push_back(
-            "Curves of different caps are brought together where they are nearer than " +
-            std::to_string(std::lround(100 * fraction)) + " % of the element size.");
-      return boundary;
-    } catch (const InvalidMeshError&) {
-      if (!first) first = std::current_exception();
-    } catch (const ImprintError& e) {
-      if (!first) first = std::current_exception();
-      if (e.entities().empty()) break;  // nothing that merging could change
-    }
-  std::rethrow_exception(first);
-}
-
-VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
-  Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
-  place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
-  VolumeMesh mesh = build_volume_mesh(assembly.extrusion, std::move(assembly.points));
-  add_boundary(boundary.surface, assembly, mesh);
-  return mesh;
-}
-
-/// Meshes one scheme into result.mesh and result.intervals; throws the stages' errors.
-void mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
-                 StageClock& clock, Context& context, SweepResult& result) {
-  const IntervalOptions intervals = interval_options(options, result.size);
-  const CellKind kind = options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
-  const BoundaryMesh boundary =
-      is_one_to_one(scheme)
-          ? boundary_of_one(model, scheme, intervals, kind, clock, context, result)
-          : boundary_of_many(model, scheme, intervals, kind, clock, context, result);
-  context.report(0.6, "Placing interior nodes");
-  result.mesh = clock.run("place", [&] {
-    VolumeMesh mesh = fill(boundary, context);
-    if (options.order == 2) add_mid_nodes_on(model, mesh, context, result.warnings);
-    return mesh;
-  });
-  if (!result.intervals.is_optimal)
-    result.warnings.push_back("The interval solver reached its limit; its best solution is used.");
-}
 
 std::string caps_of(const Scheme& scheme) {
   const auto listed = [&](FaceRole role) {
@@ -206,40 +31,155 @@ Assessment folded(const InvalidMeshError& error) {
   return verdict;
 }
 
-/// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
-/// warning tells of those before it. False: the solid turned out not to be sweepable, see the
-/// assessment. Throws the first scheme's error where all fail otherwise.
-bool mesh_first_possible(const Model& model, const SweepOptions& options, StageClock& clock,
-                         Context& context, SweepResult& result) {
-  constexpr std::size_t n_tries = 4;
-  auto& schemes = result.assessment.schemes;
-  std::exception_ptr first_error;
-  std::optional<InvalidMeshError> fold;
-  for (std::size_t s = 0; s < std::min(n_tries, schemes.size()); ++s) try {
-      mesh_scheme(model, schemes[s], options, clock, context, result);
-      std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
-      return true;
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Error& error) {
-      if (!first_error) first_error = std::current_exception();
-      const auto* invalid = dynamic_cast<const InvalidMeshError*>(&error);
-      if (s == 0 && invalid && invalid->stage() == "place") fold = *invalid;
-      result.warnings.push_back("The sweep from " + caps_of(schemes[s]) +
-                                " could not be meshed: " + error.what());
-    }
-  if (!fold) std::rethrow_exception(first_error);
-  result.assessment = folded(*fold);
-  result.warnings.clear();
-  return false;
+std::string division_warning(const Model& model, const Scheme& scheme) {
+  std::string faces;
+  for (const FaceId f : model.faces())
+    if (scheme.face_role[f.index] == FaceRole::divided)
+      faces += (faces.empty() ? "" : ", ") + name_of(f);
+  if (faces.empty()) return "The sweep turns in the middle of rounded edges.";
+  return "The sweep turns in the middle of rounded edges: partly source or target and partly "
+         "linking "
+         "is " +
+         faces + ".";
+}
+
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
+/// straight where the solid has such sweeps.
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
+
+std::string text_of(double size) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", size);
+  return text;
+}
+
+/// Meshes one of the schemes of `result.assessment` into `result`.
+class SchemeTrier {
+ public:
+  SchemeTrier(const Model& model, const SweepOptions& options, StageClock& clock, Context& context,
+              SweepResult& result)
+      : model_(model), options_(options), clock_(clock), context_(context), result_(result) {}
+
+  /// As with_some_scheme, and where that fails once more with other sizes near the wished one: then
+  /// nodes lie elsewhere, and narrow places get other numbers of cells. The first failure counts.
+  bool at_some_size() {
+    const SweepResult begun = result_;
+    std::optional<Assessment> refused;
+    std::exception_ptr first_error;
+    for (const double share : {1.0, 0.85, 1.2, 0.7}) try {
+        result_.assessment = begun.assessment;
+        result_.warnings = begun.warnings;
+        result_.size = share * begun.size;
+        if (share < 1.0 && is_explosion(model_, options_, result_.size)) continue;
+        if (with_some_scheme()) {
+          if (share != 1.0)
+            result_.warnings.push_back("The element size is " + text_of(result_.size) + ": with " +
+                                       text_of(begun.size) + " no valid mesh was found.");
+          return true;
+        }
+        if (!refused && !first_error) refused = result_.assessment;
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const SolverError&) {
+        if (!refused && !first_error) throw;
+      } catch (const Error&) {
+        if (!refused && !first_error) first_error = std::current_exception();
+      }
+    result_.size = begun.size;
+    if (first_error) std::rethrow_exception(first_error);
+    result_.assessment = *refused;
+    result_.warnings.clear();
+    return false;
+  }
+
+ private:
+  /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
+  /// warning tells of those before it. False: the solid turned out not to be sweepable, see the
+  /// assessment. Throws the first scheme's error where all fail otherwise.
+  bool with_some_scheme() {
+    auto& schemes = result_.assessment.schemes;
+    std::exception_ptr first_error;
+    std::optional<InvalidMeshError> fold;
+    for (const std::size_t s : tries(schemes.size())) try {
+        take(mesh_scheme(model_, schemes[s], options_, result_.size, clock_, context_));
+        std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
+        return true;
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error& error) {
+        if (!first_error) first_error = std::current_exception();
+        const auto* invalid = dynamic_cast<const InvalidMeshError*>(&error);
+        if (s == 0 && invalid && invalid->stage() == "place") fold = *invalid;
+        result_.warnings.push_back("The sweep from " + caps_of(schemes[s]) +
+                                   " could not be meshed: " + error.what());
+      }
+    if (!fold) std::rethrow_exception(first_error);
+    result_.assessment = folded(*fold);
+    result_.warnings.clear();
+    return false;
+  }
+
+  void take(SchemeMesh made) {
+    result_.intervals = std::move(made.intervals);
+    result_.mesh = std::move(made.mesh);
+    std::ranges::move(made.warnings, std::back_inserter(result_.warnings));
+  }
+
+  const Model& model_;
+  const SweepOptions& options_;
+  StageClock& clock_;
+  Context& context_;
+  SweepResult& result_;
+};
+
+/// Warnings of schemes that failed have the numbers of the divided solid, which nobody knows.
+bool names_parts(const std::string& warning) {
+  return warning.starts_with("The sweep from ");
+}
+
+/// Meshes the solid divided along its rounds, where that can be swept. False: the assessment stays
+/// that of the whole solid.
+bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& options,
+                  StageClock& clock, Context& context, SweepResult& result) {
+  if (!may_be_divided(result.assessment)) return false;
+  auto divided =
+      clock.run("assess", [&] { return divide_to_sweep(model, picks, options, context); });
+  if (!divided) return false;
+  const DividedModel& parts = divided->parts;
+  SweepResult part;
+  part.assessment = divided->assessment;
+  part.size = result.size;
+  try {
+    if (!SchemeTrier(parts.model, divided->options, clock, context, part).at_some_size())
+      return false;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    return false;
+  }
+  result.assessment = of_whole(model, parts, part.assessment);
+  result.intervals = of_whole(model, parts, part.intervals);
+  result.mesh = of_whole(parts, std::move(part.mesh));
+  result.size = part.size;
+  result.warnings.push_back(division_warning(model, result.assessment.schemes.front()));
+  std::erase_if(part.warnings, names_parts);
+  std::ranges::move(part.warnings, std::back_inserter(result.warnings));
+  return true;
+}
+
+bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions& options,
+                      StageClock& clock, Context& context, SweepResult& result) {
+  return result.assessment.is_sweepable()
+             ? SchemeTrier(model, options, clock, context, result).at_some_size()
+             : mesh_divided(model, picks, options, clock, context, result);
 }
 
 }  // namespace
-
-double default_size(const Model& model) {
-  constexpr double n_elements = 3000;
-  return std::cbrt(model.volume() / n_elements);
-}
 
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context) {
@@ -252,8 +192,7 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.0, "Looking for sources and targets");
   result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
-  if (!result.assessment.is_sweepable()) return result;
-  if (!mesh_first_possible(model, options, clock, context, result)) return result;
+  if (!mesh_as_assessed(model, picks, options, clock, context, result)) return result;
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });

@@ -2,41 +2,25 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "sweepmesh/base/context.h"
-#include "sweepmesh/intervals/interval_options.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/assess.h"
-#include "sweepmesh/scheme/scheme.h"
+#include "sweepmesh/sweep_options.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
 namespace sweepmesh {
-
-enum class ElementKind { hex, prism, polyhedron };
-
-struct SweepOptions {
-  /// Wished edge length, > 0 and finite. Empty: default_size().
-  std::optional<double> size;
-  /// Layers from the lowest to the highest level, >= 1. Empty: from the size.
-  std::optional<int> layers;
-  ElementKind element = ElementKind::hex;
-  int order = 1;
-  /// The run is refused (InputError that says the count) when more elements than this are to be
-  /// expected, >= 1.
-  long max_elements = 5'000'000;
-};
 
 struct SweepResult {
   Assessment assessment;  ///< not sweepable: the mesh is empty
   Intervals intervals;
   VolumeMesh mesh;
   QualityReport quality;  ///< of `mesh`
-  double size = 0.0;      ///< the element size that was used
+  double size = 0.0;      ///< the element size that was used, near the wished one
   std::vector<std::string> warnings;
   std::map<std::string, double>
       seconds;  ///< per stage: assess, imprint, intervals, surface, place, quality
@@ -44,21 +28,11 @@ struct SweepResult {
 
 /// Decides (or takes from `picks`) sources and targets, meshes caps and linking faces, and places
 /// the interior. Where the best scheme cannot be meshed, the next ones are tried; the one that was
-/// used is the first of result.assessment.schemes, and a warning tells of the others. Throws the
-/// stages' errors; a solid that cannot be swept is a normal result with reasons, and so is one whose
-/// elements stay inverted wherever the inner nodes are put (a geometric reason, no mesh).
+/// used is the first of result.assessment.schemes, and a warning tells of the others. Where none
+/// can, sizes near the wished one are tried too (down to 0.7 of it), with a warning. Throws the
+/// stages' errors; a solid that cannot be swept is a normal result with reasons, and so is one
+/// whose elements stay inverted wherever the inner nodes are put (a geometric reason, no mesh).
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context);
-
-// For callers that run the stages one by one, as plan.h does. The first three throw InputError.
-void check_options(const SweepOptions& options);
-void check_picks(const Picks& picks);
-/// Throws where more elements are to be expected than `options` allow.
-void refuse_explosion(const Model& model, const SweepOptions& options, double size);
-IntervalOptions interval_options(const SweepOptions& options, double size);
-bool is_one_to_one(const Scheme& scheme);
-
-/// The size that fills the solid's volume with about 3000 cubes.
-double default_size(const Model& model);
 
 }  // namespace sweepmesh

@@ -2,34 +2,13 @@
 
 #include <algorithm>
 
+#include "sweepmesh/divided_sweep.h"
+
 namespace sweepmesh {
 namespace {
 
 bool has_face(const Model& model, FaceId face) {
   return std::binary_search(model.faces().begin(), model.faces().end(), face);
-}
-
-/// The picks on faces of this solid.
-Picks picks_on(const Model& model, const Picks& picks) {
-  Picks own;
-  const auto keep = [&](const std::vector<FaceId>& from, std::vector<FaceId>& to) {
-    std::copy_if(from.begin(), from.end(), std::back_inserter(to),
-                 [&](FaceId f) { return has_face(model, f); });
-  };
-  keep(picks.sources, own.sources);
-  keep(picks.targets, own.targets);
-  for (const auto& pair : picks.pairs)
-    if (has_face(model, pair.first) && has_face(model, pair.second)) own.pairs.push_back(pair);
-  return own;
-}
-
-void check_pairs(const std::vector<Model>& solids, const Picks& picks) {
-  for (const auto& [source, target] : picks.pairs)
-    if (std::none_of(solids.begin(), solids.end(),
-                     [&](const Model& m) { return has_face(m, source) && has_face(m, target); }))
-      throw InputError("options",
-                       name_of(source) + " and " + name_of(target) + " are not of one solid.",
-                       {name_of(source), name_of(target)});
 }
 
 void merge_scheme(const Scheme& from, Scheme& into) {
@@ -41,21 +20,6 @@ void merge_scheme(const Scheme& from, Scheme& into) {
   for (std::size_t e = 0; e < from.edge_role.size(); ++e)
     if (from.edge_role[e] != EdgeRole::none) into.edge_role[e] = from.edge_role[e];
   into.cost += from.cost;
-}
-
-/// One verdict for all: the best schemes merged; or all reasons, each with its solid's number.
-Assessment merged(const std::vector<Assessment>& parts) {
-  Assessment all;
-  for (std::size_t s = 0; s < parts.size(); ++s)
-    for (Reason reason : parts[s].reasons) {
-      reason.text = "Solid " + std::to_string(s + 1) + ": " + reason.text;
-      all.reasons.push_back(std::move(reason));
-    }
-  if (!all.reasons.empty()) return all;
-  all.schemes.push_back(parts.front().schemes.front());
-  for (std::size_t s = 1; s < parts.size(); ++s)
-    merge_scheme(parts[s].schemes.front(), all.schemes.front());
-  return all;
 }
 
 template <class Item>
@@ -115,12 +79,6 @@ bool any_touch(const std::vector<Model>& solids) {
   return false;
 }
 
-double smallest_default_size(const std::vector<Model>& solids) {
-  double size = default_size(solids.front());
-  for (const Model& solid : solids) size = std::min(size, default_size(solid));
-  return size;
-}
-
 void append_result(SweepResult&& part, SweepResult& all) {
   append_mesh(part.mesh, all.mesh);
   append_intervals(part.intervals, all.intervals);
@@ -129,6 +87,50 @@ void append_result(SweepResult&& part, SweepResult& all) {
 }
 
 }  // namespace
+
+Picks picks_on(const Model& model, const Picks& picks) {
+  Picks own;
+  const auto keep = [&](const std::vector<FaceId>& from, std::vector<FaceId>& to) {
+    std::copy_if(from.begin(), from.end(), std::back_inserter(to),
+                 [&](FaceId f) { return has_face(model, f); });
+  };
+  keep(picks.sources, own.sources);
+  keep(picks.targets, own.targets);
+  for (const auto& pair : picks.pairs)
+    if (has_face(model, pair.first) && has_face(model, pair.second)) own.pairs.push_back(pair);
+  for (const TypePick& pick : picks.types)
+    if (has_face(model, pick.face)) own.types.push_back(pick);
+  return own;
+}
+
+void check_pairs(const std::vector<Model>& solids, const Picks& picks) {
+  for (const auto& [source, target] : picks.pairs)
+    if (std::none_of(solids.begin(), solids.end(),
+                     [&](const Model& m) { return has_face(m, source) && has_face(m, target); }))
+      throw InputError("options",
+                       name_of(source) + " and " + name_of(target) + " are not of one solid.",
+                       {name_of(source), name_of(target)});
+}
+
+Assessment merged_verdicts(const std::vector<Assessment>& parts) {
+  Assessment all;
+  for (std::size_t s = 0; s < parts.size(); ++s)
+    for (Reason reason : parts[s].reasons) {
+      reason.text = "Solid " + std::to_string(s + 1) + ": " + reason.text;
+      all.reasons.push_back(std::move(reason));
+    }
+  if (!all.reasons.empty()) return all;
+  all.schemes.push_back(parts.front().schemes.front());
+  for (std::size_t s = 1; s < parts.size(); ++s)
+    merge_scheme(parts[s].schemes.front(), all.schemes.front());
+  return all;
+}
+
+double smallest_default_size(const std::vector<Model>& solids) {
+  double size = default_size(solids.front());
+  for (const Model& solid : solids) size = std::min(size, default_size(solid));
+  return size;
+}
 
 std::vector<Model> solids_of(const Model& model) {
   std::vector<Model> solids;
@@ -150,7 +152,7 @@ SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
     verdicts.push_back(std::move(part.assessment));
     append_result(std::move(part), all);
   }
-  all.assessment = merged(verdicts);
+  all.assessment = merged_verdicts(verdicts);
   if (!all.assessment.is_sweepable()) {
     all.mesh = {};
     return all;
@@ -163,12 +165,12 @@ SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
 }
 
 Assessment assess_solids(const std::vector<Model>& solids, const Picks& picks, Context& context) {
-  if (solids.size() == 1) return assess(solids.front(), picks, context);
+  if (solids.size() == 1) return assess_or_divide(solids.front(), picks, context);
   check_pairs(solids, picks);
   std::vector<Assessment> verdicts;
   for (const Model& solid : solids)
-    verdicts.push_back(assess(solid, picks_on(solid, picks), context));
-  return merged(verdicts);
+    verdicts.push_back(assess_or_divide(solid, picks_on(solid, picks), context));
+  return merged_verdicts(verdicts);
 }
 
 }  // namespace sweepmesh

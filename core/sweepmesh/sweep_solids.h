@@ -21,4 +21,14 @@ SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
 /// The verdict alone.
 Assessment assess_solids(const std::vector<Model>& solids, const Picks& picks, Context& context);
 
+// For other stages over several solids.
+/// The picks on faces of this solid.
+Picks picks_on(const Model& model, const Picks& picks);
+/// Throws InputError for a pair of faces that are not of one solid.
+void check_pairs(const std::vector<Model>& solids, const Picks& picks);
+/// One verdict for all: the best schemes merged; or all reasons, each with its solid's number.
+Assessment merged_verdicts(const std::vector<Assessment>& parts);
+/// The default size of the smallest solid.
+double smallest_default_size(const std::vector<Model>& solids);
+
 }  // namespace sweepmesh

@@ -9,23 +9,8 @@ import sweepmesh
 JUDGE = find_judge()
 
 
-# Sweeps that are sound but not served yet; "free" is without picks.
-NOT_SERVED = {
-    "typhoon_hole-free",
-    "pipe_junction-scheme0",
-    "hollow_box_shell-scheme0",
-    "sphere_shell-free",
-    "sphere_shell-scheme0",
-}
-
-
-def of_kinds(*kinds, served=True):
-    """Cases of these kinds that are served, or that are not."""
-    return [case for case in cases(*kinds) if (case.label not in NOT_SERVED) == served]
-
-
 @pytest.mark.parametrize(
-    "case", of_kinds("1-1", "M-1", "M-N", "submap", "radial"), ids=lambda case: case.label
+    "case", cases("1-1", "M-1", "M-N", "submap", "radial"), ids=lambda case: case.label
 )
 def test_is_meshed(case, tmp_path):
     model, result = case.mesh()
@@ -35,18 +20,6 @@ def test_is_meshed(case, tmp_path):
         sweepmesh.write(result, tmp_path / "mesh.vtu")
         verdict = JUDGE(str(tmp_path / "mesh.vtu"), str(case.path))
         assert verdict["failures"] == []
-
-
-@pytest.mark.parametrize(
-    "case", of_kinds("M-N", "radial", served=False), ids=lambda case: case.label
-)
-def test_what_is_not_served_yet_is_meshed_rightly_or_refused_in_a_sentence(case):
-    try:
-        model, result = case.mesh()
-    except sweepmesh.SweepMeshError as error:
-        assert str(error).endswith(".") and error.stage
-        return
-    expect_valid_sweep(result, model, case.genus)
 
 
 @pytest.mark.parametrize("case", cases("unsweepable"), ids=lambda case: case.label)

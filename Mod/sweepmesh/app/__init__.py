@@ -11,7 +11,19 @@
 docs/macros.md shows more.
 """
 from sweepmesh.app.femmesh import to_femmesh
-from sweepmesh.app.make import make_sweep_mesh, update_sweep_mesh
+from sweepmesh.app.imprints import Imprint, imprint
+from sweepmesh.app.make import make_imprint, make_sweep_mesh, update_sweep_mesh
 from sweepmesh.app.stages import Plan, assess, mesh, plan
 
-__all__ = ["Plan", "assess", "make_sweep_mesh", "mesh", "plan", "to_femmesh", "update_sweep_mesh"]
+__all__ = [
+    "Imprint",
+    "Plan",
+    "assess",
+    "imprint",
+    "make_imprint",
+    "make_sweep_mesh",
+    "mesh",
+    "plan",
+    "to_femmesh",
+    "update_sweep_mesh",
+]

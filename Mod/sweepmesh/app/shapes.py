@@ -47,9 +47,9 @@ def face_number(source, face):
     """
     shape = shape_of(source)
     if isinstance(face, str):
-        number = _number_in_name(face)
+        number = _number_in_name("Face", face)
     elif isinstance(face, Part.Face):
-        number = _number_of_face(shape, face)
+        number = _number_of(shape.Faces, face)
     elif isinstance(face, FreeCAD.Vector) or hasattr(face, "__len__"):
         number = engine.face_at(brep_of(shape), tuple(float(x) for x in face))
     else:
@@ -59,15 +59,44 @@ def face_number(source, face):
     return number
 
 
-def _number_in_name(name):
-    digits = name[len("Face"):]
-    if not name.startswith("Face") or not digits.isdigit():
-        raise input_error(f"{name} is no name of a face: Face7 would be one.")
+def edge_number(source, edge):
+    """Return the number of an edge of `source`: 5 for Edge5, given by name, by number from 1, or as a Part.Edge."""
+    shape = shape_of(source)
+    if isinstance(edge, str):
+        number = _number_in_name("Edge", edge)
+    elif isinstance(edge, Part.Edge):
+        number = _number_of(shape.Edges, edge)
+    else:
+        number = int(edge)
+    if not 1 <= number <= len(shape.Edges):
+        raise input_error(f"There is no edge {edge}: the shape has Edge1 to Edge{len(shape.Edges)}.")
+    return number
+
+
+def vertex_number(source, vertex):
+    """Return the number of a vertex of `source`: 7 for Vertex7, given by name, by number, or as a Part.Vertex."""
+    shape = shape_of(source)
+    if isinstance(vertex, str):
+        number = _number_in_name("Vertex", vertex)
+    elif isinstance(vertex, Part.Vertex):
+        number = _number_of(shape.Vertexes, vertex)
+    else:
+        number = int(vertex)
+    if not 1 <= number <= len(shape.Vertexes):
+        raise input_error(f"There is no vertex {vertex}: the shape has Vertex1 to Vertex{len(shape.Vertexes)}.")
+    return number
+
+
+def _number_in_name(kind, name):
+    digits = name[len(kind):]
+    if not name.startswith(kind) or not digits.isdigit():
+        raise input_error(f"{name} is no name of a {kind.lower()}: {kind}7 would be one.")
     return int(digits)
 
 
-def _number_of_face(shape, face):
-    for number, candidate in enumerate(shape.Faces, 1):
-        if candidate.isSame(face):
+def _number_of(elements, element):
+    for number, candidate in enumerate(elements, 1):
+        if candidate.isSame(element):
             return number
-    raise input_error("The face is none of the shape's faces.")
+    kind = element.ShapeType.lower()
+    raise input_error(f"The {kind} is none of those of the shape.")

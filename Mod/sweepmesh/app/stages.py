@@ -10,14 +10,24 @@ Each takes a document object or a Part shape, and settings by keyword:
     targets       faces on which it ends; none given: found
     solid         which solid of several is meshed, from 1; none given: all, side by side
     pairs         [(source, target), ...]: this source is to be swept to this target
+    vertex_types  {("Face3", "Vertex7"): "corner", ...}: "end", "side", "corner" or "reversal" at a vertex of a
+                  linking face, names or numbers; others are found
+    edge_count    {"Edge5": 12}: exactly 12 mesh edges on this edge; others follow where they must
+    edge_size     {"Edge5": 0.8}: wished edge length on this edge
+    edge_bias     {"Edge5": 1.2}: each mesh edge is 1.2 times as long as the one before, from the edge's start;
+                  (1.2, True): from both ends
+    sweep_bias    1.2 or (1.2, True): the same for all edges along the sweep, from targets to sources
+    imprint_tolerance  curves of different caps nearer than this become one; none given: from the size
     threads       0: all processors
     max_elements  refuse meshes that would have more
 
-A face is a name ("Face7"), a number (7), a Part.Face, or a point on it: (x, y, z).
+A face is a name ("Face7"), a number (7), a Part.Face, or a point on it: (x, y, z); an edge a name, a number or a
+Part.Edge.
 """
 from dataclasses import dataclass, field
 
 from sweepmesh import engine
+from sweepmesh.app import overrides
 from sweepmesh.app.shapes import brep_of, face_number
 
 
@@ -71,6 +81,11 @@ def options_for(source, **settings):
             settings[name] = [face_number(source, face) for face in settings[name] or []]
     if "pairs" in settings:
         settings["pairs"] = [tuple(face_number(source, face) for face in pair) for pair in settings["pairs"] or []]
+    for name in overrides.PROPERTIES:
+        if name in settings:
+            settings[name] = overrides.by_number(source, name, settings[name])
+    if "sweep_bias" in settings:
+        settings["sweep_bias"] = overrides.bias(settings["sweep_bias"])
     return engine.Options(**settings)
 
 

@@ -6,7 +6,7 @@ import sys
 from sweepmesh.engine import Options, __version__
 from sweepmesh.output import FORMATS
 
-_FACE_OPTIONS = ("--source", "--target", "--pair")
+_FACE_OPTIONS = ("--source", "--target", "--pair", "--type")
 
 _EPILOG = """exit status: 0 meshed (or, with --assess, sweepable), 2 not sweepable, 1 anything else.
 
@@ -60,6 +60,13 @@ def make_parser():
         default=[],
         metavar="SOURCE=TARGET",
         help="this source is to be swept to this target; repeatable",
+    )
+    add(
+        "--type",
+        action="append",
+        default=[],
+        metavar="FACE:VERTEX=TYPE",
+        help="END, SIDE, CORNER or REVERSAL at this vertex (Vertex7 or a point) of this linking face; repeatable",
     )
     add("--size", type=float, metavar="S", help="edge length of the elements (default: from the volume)")
     add("--layers", type=int, metavar="N", help="number of layers (default: from the size)")

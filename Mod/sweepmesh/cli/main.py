@@ -106,6 +106,7 @@ def make_options(arguments, model):
         sources=[shapes.face_number(model, face) for face in arguments.source],
         targets=[shapes.face_number(model, face) for face in arguments.target],
         pairs=[shapes.face_pair(model, pair) for pair in arguments.pair],
+        vertex_types=[shapes.vertex_type(model, text) for text in arguments.type],
     )
 
 

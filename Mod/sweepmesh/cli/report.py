@@ -79,7 +79,7 @@ def _plan(report):
     return "\n".join([f"The solid is {report['verdict']}.", "", "Plan", *_indented(lines)])
 
 
-_ROLE_ORDER = ["source", "target", "linking"]
+_ROLE_ORDER = ["source", "target", "linking", "divided"]
 
 
 def _shortened(faces, limit=12):

@@ -1,6 +1,7 @@
 """From SHAPE on the command line to a Model, and from FACE to the number of a face."""
 
 import dataclasses
+import math
 import pathlib
 import re
 from typing import List, Optional
@@ -100,12 +101,7 @@ def face_number(model, text):
                 f"The shape has no {text}: its faces are Face1 to Face{model.n_faces}.", "assess", [text]
             )
         return number
-    try:
-        point = [float(part) for part in text.split(",")]
-    except ValueError:
-        point = []
-    if len(point) != 3 or any(abs(part) == float("inf") or part != part for part in point):
-        raise input_error(f"'{text}' names no face: give a name as Face7 or a point as 1.5,0,20.")
+    point = _point(text, "face")
     face = face_at(model, point)
     distance = model.distance_to_face(face - 1, point)
     if distance > POINT_TOLERANCE * model.model_size:
@@ -115,6 +111,46 @@ def face_number(model, text):
             [f"Face{face}"],
         )
     return face
+
+
+def _point(text, kind):
+    """The point that x,y,z names; InputError where it is none."""
+    try:
+        point = [float(part) for part in text.split(",")]
+    except ValueError:
+        point = []
+    if len(point) != 3 or not all(math.isfinite(part) for part in point):
+        raise input_error(f"'{text}' names no {kind}: give a name as {kind.title()}7 or a point as 1.5,0,20.")
+    return point
+
+
+def vertex_number(model, text):
+    """The number of the vertex that VERTEX names: "Vertex7" or a point "x,y,z" at it."""
+    name = re.fullmatch(r"Vertex(\d+)", text.strip())
+    if name:
+        number = int(name[1])
+        if not 1 <= number <= model.n_vertices:
+            raise input_error(
+                f"The shape has no {text}: its vertices are Vertex1 to Vertex{model.n_vertices}.", "assess", [text]
+            )
+        return number
+    point = _point(text, "vertex")
+    distance, nearest = min((math.dist(point, model.vertex_point(i)), i + 1) for i in range(model.n_vertices))
+    if distance > POINT_TOLERANCE * model.model_size:
+        raise input_error(
+            f"The point {text} lies on no vertex: the nearest, Vertex{nearest}, is {distance:.4g} away.",
+            "assess",
+            [f"Vertex{nearest}"],
+        )
+    return nearest
+
+
+def vertex_type(model, text):
+    """(face, vertex, type) of FACE:VERTEX=TYPE."""
+    parts = re.fullmatch(r"([^:=]+):([^:=]+)=([^:=]+)", text)
+    if not parts:
+        raise input_error(f"'{text}' is no vertex type: give it as Face3:Vertex7=CORNER.")
+    return face_number(model, parts[1]), vertex_number(model, parts[2]), parts[3].strip()
 
 
 def face_pair(model, text):

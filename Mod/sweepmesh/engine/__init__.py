@@ -8,9 +8,10 @@ from sweepmesh.engine.errors import (
     SolverError,
     SweepMeshError,
 )
+from sweepmesh.engine.imprints import Imprint, imprint
 from sweepmesh.engine.model import Model, face_at, read
 from sweepmesh.engine.options import Options
-from sweepmesh.engine.plans import SweepPlan, plan
+from sweepmesh.engine.plans import EdgeDirection, SweepPlan, VirtualCorner, plan
 from sweepmesh.engine.progress import Progress
 from sweepmesh.engine.results import Assessment, Reason, Result
 from sweepmesh.engine.stages import assess, mesh
@@ -18,6 +19,8 @@ from sweepmesh.engine.stages import assess, mesh
 __all__ = [
     "Assessment",
     "Cancelled",
+    "EdgeDirection",
+    "Imprint",
     "InputError",
     "InvalidMeshError",
     "Model",
@@ -28,9 +31,11 @@ __all__ = [
     "SolverError",
     "SweepMeshError",
     "SweepPlan",
+    "VirtualCorner",
     "__version__",
     "assess",
     "face_at",
+    "imprint",
     "mesh",
     "plan",
     "read",

@@ -19,7 +19,7 @@ def assess(shape, options=None, progress=None):
 
     def work(context):
         solids = chosen_solids(as_model(shape), options.solid)
-        return _sweepmesh.assess(solids, options.picks(solids[0].n_faces), context)
+        return _sweepmesh.assess(solids, options.picks(solids[0]), context)
 
     return Assessment.from_core(run(work, options.threads, progress))
 
@@ -38,7 +38,7 @@ def mesh(shape, options=None, progress=None):
     def work(context):
         solids = chosen_solids(as_model(shape), options.solid)
         seconds["read"] = time.perf_counter() - started
-        core = _sweepmesh.sweep(solids, options.picks(solids[0].n_faces), options.to_core(), context)
+        core = _sweepmesh.sweep(solids, options.picks(solids[0]), options.to_core(), context)
         return core, _sweepmesh.scaled_jacobians(core, context)
 
     result = Result.from_core(*run(work, options.threads, progress))

@@ -29,7 +29,11 @@ def arguments(settings):
 
 
 def _text(value):
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_text(key)}: {_text(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, tuple):
+        return "(" + ", ".join(_text(item) for item in value) + ")"
+    if isinstance(value, list):
         return "[" + ", ".join(_text(item) for item in value) + "]"
     return f'"{value}"' if isinstance(value, str) else repr(value)
 

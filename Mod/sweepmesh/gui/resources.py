@@ -18,6 +18,21 @@ def load_form(name):
     return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
 
 
+class Widgets:
+    """The widgets of several forms by their names, as if they were one form."""
+
+    def __init__(self, forms):
+        self._forms = forms
+
+    def __getattr__(self, name):
+        for form in self._forms:
+            found = form if form.objectName() == name else form.findChild(QtGui.QWidget, name)
+            if found is not None:
+                self.__dict__[name] = found
+                return found
+        raise AttributeError(name)
+
+
 def tr(text):
     """Return the translation of a whole sentence (or label) of the workbench."""
     return Qt.translate("SweepMesh", text)

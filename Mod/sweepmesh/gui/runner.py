@@ -5,7 +5,7 @@ from PySide import QtCore
 
 from sweepmesh import engine
 
-POLL_MILLISECONDS = 40
+POLL_MILLISECONDS = 15
 STOP_SECONDS = 1.0
 
 

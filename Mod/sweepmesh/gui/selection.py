@@ -40,11 +40,11 @@ def is_no_panel_open():
     return FreeCADGui.Control.activeDialog() in (None, False)
 
 
-class FaceGate:
-    """Selection gate that admits faces of one object only."""
+class Gate:
+    """Selection gate that admits elements of one object only, of those kinds whose names begin with `kinds`."""
 
-    def __init__(self, obj):
-        self._obj = obj
+    def __init__(self, obj, *kinds):
+        self._obj, self._kinds = obj, kinds
 
     def allow(self, document, obj, sub):
-        return obj == self._obj and sub.startswith("Face")
+        return obj == self._obj and sub.startswith(self._kinds)

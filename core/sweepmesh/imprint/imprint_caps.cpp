@@ -16,9 +16,12 @@ namespace {
 
 constexpr double coincidence_of_size = 1e-3;  ///< what CAD models leave apart is far below this
 
-double coincidence(const Model& model, const ImprintOptions& options) {
-  constexpr double safety = 10.0;
-  return std::max(safety * model.tolerances().point, coincidence_of_size * options.size);
+/// Well below the shortest curve, too: both of its ends must not become one.
+double coincidence(const Model& model, const Walls& walls, const ImprintOptions& options) {
+  constexpr double safety = 10.0, share_of_edge = 0.1;
+  double out = coincidence_of_size * options.size;
+  for (const EdgeId e : walls.edges) out = std::min(out, share_of_edge * model.length(e));
+  return std::max(safety * model.tolerances().point, out);
 }
 
 void check(const ImprintOptions& options) {
@@ -65,7 +68,7 @@ Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOpti
   check(options);
   const std::vector<int> level = sweep_levels(model, scheme);
   const Walls walls = find_walls(model, scheme, level);
-  const double tolerance = coincidence(model, options);
+  const double tolerance = coincidence(model, walls, options);
   const Reference reference =
       reference_of(model, scheme, walls, level, tolerance, options.size, context);
   const double merge = std::max(tolerance, options.merge_fraction * options.size);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sweepmesh/imprint/edge_lengths.h"
+#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/wishes.h"
@@ -55,14 +56,20 @@ class Demands {
 
   void add_edges() {
     const auto wishes = wished_counts(model_, options_);
+    const auto needs = area_counts(model_, options_, wishes);
     for (const ImprintEdge& e : imprint_.edges) {
-      double sum = 0.0;
+      double sum = 0.0, weights = 0.0, need = 0.0;
       for (const Trace& t : e.traces) {
         const auto f = length_fractions(model_, t.edge, {t.first, t.last});
-        sum += std::log(std::max(wishes[t.edge.index] * std::abs(f[1] - f[0]), 1e-3));
+        const double weight = importance(options_, t.edge);
+        sum += weight * std::log(std::max(wishes[t.edge.index] * std::abs(f[1] - f[0]), 1e-3));
+        weights += weight;
+        need = std::max(need, needs[t.edge.index] * std::abs(f[1] - f[0]));
       }
-      const double wish = std::exp(sum / e.traces.size());
-      edge_.push_back(out_.problem.add({e.start == e.end ? 3.0 : 1.0, unbounded, wish, 1.0}));
+      const double wish = std::max(need, std::exp(sum / weights));
+      const double weight =
+          std::max(weights / e.traces.size(), need > 0.0 ? std::max(1.0, need) : 0.0);
+      edge_.push_back(out_.problem.add({e.start == e.end ? 3.0 : 1.0, unbounded, wish, weight}));
     }
     for (const EdgeId e : model_.edges()) {
       const auto& chain = imprint_.chain[e.index];

@@ -27,6 +27,7 @@ class Overlayer {
         context_(context) {}
 
   Overlay run() {
+    find_curves_at_vertices();
     make_nodes();
     find_corners();
     make_pieces();
@@ -43,6 +44,14 @@ class Overlayer {
 
  private:
   // --- nodes -------------------------------------------------------------------------------------
+
+  void find_curves_at_vertices() {
+    curves_at_.resize(model_.n_vertices());
+    for (const ReferenceCurve& c : reference_.curves) {
+      curves_at_[model_.start(c.edge).index].push_back({&c, true});
+      curves_at_[model_.end(c.edge).index].push_back({&c, false});
+    }
+  }
 
   /// CAD vertices joined by axial edges are a column; columns that lie near each other and do not
   /// collide are a node.
@@ -118,10 +127,8 @@ class Overlayer {
   /// The edges that end in a vertex, each a little way along it.
   std::vector<Place> places_at(VertexId v) const {
     std::vector<Place> out;
-    for (const ReferenceCurve& c : reference_.curves) {
-      if (model_.start(c.edge) == v) out.push_back({c.edge, beside(c.points, true)});
-      if (model_.end(c.edge) == v) out.push_back({c.edge, beside(c.points, false)});
-    }
+    for (const auto& [curve, at_start] : curves_at_[v.index])
+      out.push_back({curve->edge, beside(curve->points, at_start)});
     return out;
   }
 
@@ -214,7 +221,7 @@ class Overlayer {
       const double fraction = s.arc / length(graph_.pieces[s.piece].points);
       if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
       const Point2 foot = at_arc(graph_.pieces[s.piece].points, s.arc).point;
-      split(graph_, s.piece, s.arc, s.node, reference_.coincidence);
+      cut_piece(s.piece, s.arc, s.node);
       if (is_corner_[s.node]) move_node(s.node, foot);
       is_cut[s.piece] = any = true;
     }
@@ -225,9 +232,12 @@ class Overlayer {
   void move_node(int node, const Point2& to) {
     graph_.nodes[node].point = to;
     is_corner_[node] = false;
-    for (Piece& p : graph_.pieces)
-      if (!p.traces.empty() && (p.start == node || p.end == node))
-        p.points = with_ends(p.points, graph_.nodes[p.start].point, graph_.nodes[p.end].point);
+    for (int i = 0; i < n_pieces(); ++i) {
+      Piece& p = graph_.pieces[i];
+      if (!graph_.is_alive(i) || (p.start != node && p.end != node)) continue;
+      p.points = with_ends(p.points, graph_.nodes[p.start].point, graph_.nodes[p.end].point);
+      ++changes_[i];
+    }
   }
 
   bool is_inside(const Polyline& line, double arc) const {
@@ -291,11 +301,10 @@ class Overlayer {
   /// The curves that end in a vertex, with their unit directions away from it.
   std::vector<std::pair<EdgeId, Point2>> directions_at(VertexId v) const {
     std::vector<std::pair<EdgeId, Point2>> out;
-    for (const ReferenceCurve& c : reference_.curves) {
-      const auto& p = c.points;
-      if (model_.start(c.edge) == v) out.push_back({c.edge, (p[1] - p[0]).normalized()});
-      if (model_.end(c.edge) == v)
-        out.push_back({c.edge, (p[p.size() - 2] - p.back()).normalized()});
+    for (const auto& [curve, at_start] : curves_at_[v.index]) {
+      const auto& p = curve->points;
+      const Point2 away = at_start ? Point2(p[1] - p[0]) : Point2(p[p.size() - 2] - p.back());
+      out.push_back({curve->edge, away.normalized()});
     }
     return out;
   }
@@ -313,6 +322,7 @@ class Overlayer {
         merges_.push_back({kept.traces[0].edge, t.edge, farthest});
     }
     absorb(graph_, a, b);
+    ++changes_[a];
   }
 
   /// Cuts two pieces where a stretch along which they run near each other begins or ends. True if
@@ -320,19 +330,42 @@ class Overlayer {
   bool cut_stretches() {
     bool any = false;
     const int n = n_pieces();
+    std::vector<Box2> box(n);  // splitting a piece leaves it in its box
+    for (int p = 0; p < n; ++p)
+      if (graph_.is_alive(p)) box[p] = box_of(graph_.pieces[p].traces[0].line);
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
-        if (a != b && graph_.is_alive(a) && graph_.is_alive(b)) any |= cut_stretch(a, b);
+        if (a != b && graph_.is_alive(a) && graph_.is_alive(b) && box[a].is_near(box[b], near_))
+          any |= cut_stretch_once(a, b);
     return any;
+  }
+
+  /// Pieces that have been looked at and are still the same need no second look.
+  bool cut_stretch_once(int a, int b) {
+    const std::pair now{changes_of(a), changes_of(b)};
+    const auto [seen, is_new] = seen_apart_.try_emplace({a, b}, now);
+    if (!is_new && seen->second == now) return false;
+    if (cut_stretch(a, b)) return true;
+    seen->second = now;
+    return false;
+  }
+
+  int changes_of(int piece) const {
+    const auto found = changes_.find(piece);
+    return found == changes_.end() ? 0 : found->second;
+  }
+
+  void cut_piece(int piece, double arc, int node) {
+    split(graph_, piece, arc, node, reference_.coincidence);
+    ++changes_[piece];
   }
 
   bool cut_stretch(int a, int b) {
     // The curves as they are in the CAD model: what has been moved together would always be near.
     const Polyline &line = graph_.pieces[a].traces[0].line,
                    &other = graph_.pieces[b].traces[0].line;
-    if (!box_of(line).is_near(box_of(other), near_)) return false;
+    const double total = length(line);
     for (const Stretch& s : near_stretches(line, other, near_)) {
-      const double total = length(line);
       const bool starts = s.first <= 0.0, ends = s.last >= total;
       const bool is_start_shared = starts && graph_.has_end(b, graph_.pieces[a].start);
       const bool is_end_shared = ends && graph_.has_end(b, graph_.pieces[a].end);
@@ -360,8 +393,8 @@ class Overlayer {
     if (collide(places_on(a, middle / length(line)), places_on(b, middle_b))) return false;
     const int node = add_node(is_shape_kept(a, b) ? at_arc(graph_.pieces[a].points, arc_a).point
                                                   : at_arc(graph_.pieces[b].points, arc_b).point);
-    split(graph_, a, arc_a, node, reference_.coincidence);
-    split(graph_, b, arc_b, node, reference_.coincidence);
+    cut_piece(a, arc_a, node);
+    cut_piece(b, arc_b, node);
     return true;
   }
 
@@ -397,8 +430,7 @@ class Overlayer {
       }
     for (const auto& [p, places] : cuts)
       for (const auto& [position, node] : places)
-        split(graph_, p, at_position(graph_.pieces[p].points, position).arc, node,
-              reference_.coincidence);
+        cut_piece(p, at_position(graph_.pieces[p].points, position).arc, node);
     return !cuts.empty();
   }
 
@@ -464,6 +496,11 @@ class Overlayer {
   const double near_;
   const Context& context_;
   static constexpr double corner_ = 0.35;  ///< radians; what turns less is smooth
+  struct CurveEnd {
+    const ReferenceCurve* curve;
+    bool at_start;
+  };
+  std::vector<std::vector<CurveEnd>> curves_at_;  ///< by VertexId
   PieceGraph graph_;
   std::vector<char> is_corner_;  ///< by node: it may still be moved
   struct CadColumn {
@@ -474,6 +511,9 @@ class Overlayer {
   std::map<int, std::vector<int>> columns_in_;  ///< by node
   std::vector<int> node_of_;  ///< by VertexId; -1 where no curve ends in its column
   std::vector<Merge> merges_;
+  std::map<int, int> changes_;  ///< how often a piece has been cut, joined or moved
+  /// Pieces that were not to be cut where they run near each other, with their changes by then.
+  std::map<std::pair<int, int>, std::pair<int, int>> seen_apart_;
   std::vector<int> alive_;  ///< pieces of the last arrangement's polylines
   PlaneArrangement arrangement_;
   std::vector<int> node_of_vertex_;

@@ -4,13 +4,21 @@
 #include <optional>
 #include <set>
 
+#include "sweepmesh/imprint/stepped_panels.h"
+
 namespace sweepmesh {
 namespace {
 
 class PanelFinder {
  public:
-  PanelFinder(const Model& model, const Scheme& scheme, const Walls& walls, const Reference& seen)
-      : model_(model), scheme_(scheme), walls_(walls), seen_(seen), curve_(walls.level.size()) {
+  PanelFinder(const Model& model, const Scheme& scheme, const Walls& walls, const Reference& seen,
+              const Heights& height)
+      : model_(model),
+        scheme_(scheme),
+        walls_(walls),
+        seen_(seen),
+        height_(height),
+        curve_(walls.level.size()) {
     for (const ReferenceCurve& c : seen.curves) curve_[c.edge.index] = &c;
   }
 
@@ -82,18 +90,20 @@ class PanelFinder {
         return walls_.level[e.index] == walls_.level[edges.front().index];
       });
     };
-    if (low.empty() || high.empty() || !is_level(bottoms) || !is_level(tops))
+    if (low.empty() || high.empty() || !is_level(bottoms) || !is_level(tops)) return add_stepped(f);
+    out_.push_back(ruled_panel(f, walls_.level[bottoms.front().index],
+                               walls_.level[tops.front().index], low, high));
+  }
+
+  void add_stepped(FaceId f) {
+    const auto panels = stepped_panels(model_, scheme_, walls_, seen_, height_, f);
+    if (panels.empty())
       throw ImprintError(ImprintFailure::unreachable,
                          name_of(f) +
                              " leans along the sweep and has steps in its outline, so its "
                              "columns cannot be followed.",
                          {name_of(f)});
-    Panel panel{f, walls_.level[bottoms.front().index], walls_.level[tops.front().index], {}, {}};
-    for (const double share : shares_of(low, high)) {
-      panel.bottom.push_back(at_arc(low, share * length(low)).point);
-      panel.top.push_back(at_arc(high, share * length(high)).point);
-    }
-    out_.push_back(std::move(panel));
+    out_.insert(out_.end(), panels.begin(), panels.end());
   }
 
   /// The edges along +i, or against it, as one line along +i (the solid on its left); empty where
@@ -120,27 +130,62 @@ class PanelFinder {
     return out;
   }
 
-  /// Parts of the length at which either line has a point.
-  static std::vector<double> shares_of(const Polyline& a, const Polyline& b) {
-    std::set<double> shares;
-    for (const Polyline* l : {&a, &b})
-      for (const double arc : arc_lengths(*l)) shares.insert(arc / length(*l));
-    return {shares.begin(), shares.end()};
-  }
-
   const Model& model_;
   const Scheme& scheme_;
   const Walls& walls_;
   const Reference& seen_;
+  const Heights& height_;
   std::vector<const ReferenceCurve*> curve_;
   std::vector<Panel> out_;
 };
 
+/// Inclined caps may have their means in another order than their levels.
+void keep_growing(Heights& height) {
+  constexpr double least_share = 0.01;  // of the mean distance between levels
+  if (height.empty()) return;
+  double low = height.begin()->second, high = low;
+  for (const auto& [level, h] : height) {
+    low = std::min(low, h);
+    high = std::max(high, h);
+  }
+  const double least = least_share * (high - low) / static_cast<double>(height.size());
+  for (auto it = std::next(height.begin()); it != height.end(); ++it)
+    it->second = std::max(it->second, std::prev(it)->second + least);
+}
+
 }  // namespace
 
+Heights level_heights(const Model& model, const Walls& walls, const Point3& direction) {
+  std::map<int, std::pair<double, int>> sums;
+  for (const EdgeId e : walls.edges) {
+    auto& [sum, n] = sums[walls.level[e.index]];
+    sum += direction.dot(model.point(model.start(e)));
+    ++n;
+  }
+  Heights out;
+  for (const auto& [level, sum] : sums) out[level] = sum.first / sum.second;
+  for (std::size_t i = 0; i < walls.vertex_level.size(); ++i)
+    if (const int l = walls.vertex_level[i]; l >= 0 && !out.contains(l))
+      out[l] = direction.dot(model.point(VertexId{i}));
+  keep_growing(out);
+  return out;
+}
+
+Panel ruled_panel(FaceId face, int low, int high, const Polyline& bottom, const Polyline& top) {
+  std::set<double> shares;  // of the length, at which either line has a point
+  for (const Polyline* l : {&bottom, &top})
+    for (const double arc : arc_lengths(*l)) shares.insert(arc / length(*l));
+  Panel panel{face, low, high, {}, {}};
+  for (const double share : shares) {
+    panel.bottom.push_back(at_arc(bottom, share * length(bottom)).point);
+    panel.top.push_back(at_arc(top, share * length(top)).point);
+  }
+  return panel;
+}
+
 std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
-                               const Reference& seen) {
-  return PanelFinder(model, scheme, walls, seen).run();
+                               const Reference& seen, const Heights& height) {
+  return PanelFinder(model, scheme, walls, seen, height).run();
 }
 
 }  // namespace sweepmesh

@@ -1,6 +1,7 @@
 // Linking faces as panels: pieces with one curve below and one above.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "sweepmesh/imprint/imprint.h"
@@ -26,12 +27,19 @@ struct Panel {
   }
 };
 
-/// Of all linking faces; `curve` are the edges' curves as seen along the sweep. A face whose lower
+/// Mean heights of the levels along a direction, by level; made to grow with the levels.
+using Heights = std::map<int, double>;
+Heights level_heights(const Model& model, const Walls& walls, const Point3& direction);
+
+/// Of all linking faces; `seen` are the edges' curves as seen along the sweep. A face whose lower
 /// and upper edges lie over each other may have any profile; it is cut where its edges begin and
-/// end. Another face must have one chain of edges below and one above: columns join the places
-/// where the same part of both lengths has passed. Throws ImprintError (unreachable) naming a face
-/// that is neither.
+/// end. In another face columns join the places where the same part of both lengths has passed:
+/// of the chain of edges below and the one above, or, where its outline has steps, from level to
+/// level (stepped_panels.h). Throws ImprintError (unreachable) naming a face that is none of these.
 std::vector<Panel> find_panels(const Model& model, const Scheme& scheme, const Walls& walls,
-                               const Reference& seen);
+                               const Reference& seen, const Heights& height);
+
+/// The panel between two lines, both along +i, in which columns join equal parts of the lengths.
+Panel ruled_panel(FaceId face, int low, int high, const Polyline& bottom, const Polyline& top);
 
 }  // namespace sweepmesh

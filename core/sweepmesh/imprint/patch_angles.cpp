@@ -9,36 +9,60 @@
 namespace sweepmesh {
 namespace {
 
-/// The first mesh edge of an imprint edge on a cap's own boundary, away from one end.
-struct MeshEdge {
-  Point3 along;
-  Point3 normal;  ///< of the cap, at the end
+/// The nodes of an imprint edge on a cap's own boundary, in the direction of a loop.
+struct CapSide {
+  std::vector<Point3> points;
+  std::vector<Point3> normals;  ///< of the cap
 };
 
-std::optional<MeshEdge> mesh_edge(const Model& model, const Imprint& imprint, int count,
-                                  DirectedEdge d, FaceId cap) {
+std::optional<CapSide> cap_side(const Model& model, const Imprint& imprint, int count,
+                                DirectedEdge d, FaceId cap) {
   for (const Trace& t : imprint.edges[d.edge].traces)
     for (const Coedge& c : model.coedges(t.edge)) {
       if (c.face != cap) continue;
+      CapSide out;
       const double from = d.reversed ? t.last : t.first, to = d.reversed ? t.first : t.last;
-      const double next = even_parameters(model, t.edge, from, to, count)[1];
-      return MeshEdge{model.point(t.edge, next) - model.point(t.edge, from),
-                      model.normal(cap, model.uv(c, from))};
+      for (const double at : even_parameters(model, t.edge, from, to, count)) {
+        out.points.push_back(model.point(t.edge, at));
+        out.normals.push_back(model.normal(cap, model.uv(c, at)));
+      }
+      return out;
     }
   return std::nullopt;
 }
 
-/// Angle of a cap where a loop comes along `in` and goes on along `out`.
-std::optional<double> cap_angle(const Model& model, const Imprint& imprint,
-                                const std::vector<int>& counts, DirectedEdge in, DirectedEdge out,
-                                FaceId cap, bool is_source) {
-  const auto back = mesh_edge(model, imprint, counts[in.edge], {in.edge, !in.reversed}, cap);
-  const auto along = mesh_edge(model, imprint, counts[out.edge], out, cap);
-  if (!back || !along) return std::nullopt;
-  const Point3 up = is_source ? along->normal : Point3(-along->normal);
-  const double angle =
-      std::atan2(along->along.cross(back->along).dot(up), along->along.dot(back->along));
+/// Angle where a boundary comes from `before` to `here` and goes on to `after`, with the cap on its
+/// left as seen against `up`.
+double angle_at(const Point3& before, const Point3& here, const Point3& after, const Point3& up) {
+  const Point3 along = after - here, back = before - here;
+  const double angle = std::atan2(along.cross(back).dot(up), along.dot(back));
   return angle > 0.0 ? angle : angle + 2 * std::numbers::pi;
+}
+
+/// The cap's angles at the nodes of a loop, where the boundary is the cap's own on both sides.
+std::vector<std::optional<double>> cap_angles(const Model& model, const Imprint& imprint,
+                                              const std::vector<int>& counts,
+                                              const std::vector<DirectedEdge>& loop, FaceId cap,
+                                              bool is_source) {
+  std::vector<std::optional<CapSide>> sides;
+  for (const DirectedEdge& d : loop)
+    sides.push_back(cap_side(model, imprint, counts[d.edge], d, cap));
+  std::vector<std::optional<double>> out;
+  const auto up = [&](const Point3& normal) { return is_source ? normal : Point3(-normal); };
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto &before = sides[(i + loop.size() - 1) % loop.size()], &here = sides[i];
+    const std::size_t n = counts[loop[i].edge];
+    out.resize(out.size() + n);
+    if (!here) continue;
+    const auto angle = out.end() - n;
+    if (before)
+      angle[0] = angle_at(before->points[before->points.size() - 2], here->points[0],
+                          here->points[1], up(here->normals[0]));
+    for (std::size_t s = 1; s < n; ++s)
+      angle[s] = angle_at(here->points[s - 1], here->points[s], here->points[s + 1],
+                          up(here->normals[s]));
+  }
+  return out;
 }
 
 }  // namespace
@@ -53,15 +77,14 @@ BoundaryAngles patch_angles(const Model& model, const Imprint& imprint,
       std::vector<double> row = rows.front();
       std::size_t node = 0;
       for (const auto& loop : patch.loops)
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-          const DirectedEdge before = loop[(i + loop.size() - 1) % loop.size()];
-          if (const auto angle = cap_angle(model, imprint, counts, before, loop[i],
-                                           is_source ? run.source : run.target, is_source)) {
+        for (const auto& angle : cap_angles(model, imprint, counts, loop,
+                                            is_source ? run.source : run.target, is_source)) {
+          if (angle) {
             row[node] = *angle;
             if (!is_given[node]) rows.front()[node] = *angle;
             is_given[node] = true;
           }
-          node += counts[loop[i].edge];
+          ++node;
         }
       rows.push_back(std::move(row));
     }

@@ -89,12 +89,19 @@ bool are_within(const Polyline& a, const Polyline& b, double distance) {
 
 std::vector<Stretch> near_stretches(const Polyline& a, const Polyline& b, double distance) {
   std::vector<Stretch> out;
-  const double total = length(a), least_step = distance / 4;
+  const std::vector<double> arcs = arc_lengths(a);
+  const double total = arcs.back(), least_step = distance / 4;
+  std::size_t i = 0;
+  const auto place_at = [&](double arc) -> Point2 {
+    while (i + 2 < a.size() && arcs[i + 1] <= arc) ++i;
+    const double step = arcs[i + 1] - arcs[i];
+    return a[i] + (step > 0.0 ? std::min((arc - arcs[i]) / step, 1.0) : 0.0) * (a[i + 1] - a[i]);
+  };
   bool is_inside = false;
   for (double arc = 0.0;;) {
     // The distance changes by no more than the arc, so what it is ahead of the limit can be
     // skipped.
-    const double d = nearest(b, at_arc(a, arc).point).distance;
+    const double d = nearest(b, place_at(arc)).distance;
     const bool is_near = d < distance;
     if (is_near && !is_inside) out.push_back({arc, arc});
     if (is_near) out.back().last = arc;

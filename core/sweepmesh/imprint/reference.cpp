@@ -1,44 +1,39 @@
 #include "sweepmesh/imprint/reference.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sweepmesh {
 namespace {
 
-/// Coordinates across a direction, in a frame that turns with the solid: its origin is a vertex,
+/// Puts the view across a direction, in a frame that turns with the solid: its origin is a vertex,
 /// its first axis runs along `along`.
-class Projection {
- public:
-  Projection(const Point3& direction, const Point3& origin, const Point3& along) : origin_(origin) {
-    axes_.row(0) = (along - along.dot(direction) * direction).normalized();
-    axes_.row(1) = direction.cross(Point3(axes_.row(0)));
-  }
-  Point2 operator()(const Point3& p) const { return axes_ * (p - origin_); }
+void look_along(const Point3& direction, const Point3& origin, const Point3& along,
+                Reference& reference) {
+  reference.origin = origin;
+  reference.axes.row(0) = (along - along.dot(direction) * direction).normalized();
+  reference.axes.row(1) = direction.cross(Point3(reference.axes.row(0)));
+}
 
- private:
-  Point3 origin_;
-  Eigen::Matrix<double, 2, 3> axes_;
-};
-
-/// The frame at the first transverse edge that has a chord (a third of it, for closed ones) across
-/// the direction.
-Projection frame_of(const Model& model, const Walls& walls, const Point3& direction) {
+/// In the frame at the first transverse edge that has a chord (a third of it, for closed ones)
+/// across the direction.
+void look_along(const Model& model, const Walls& walls, const Point3& direction,
+                Reference& reference) {
   for (const EdgeId e : walls.edges) {
     const auto [first, last] = model.range(e);
     const Point3 origin = model.point(e, first);
     const Point3 along = model.point(e, first + (last - first) / 3) - origin;
-    if (along.cross(direction).norm() > model.tolerances().point) return {direction, origin, along};
+    if (along.cross(direction).norm() > model.tolerances().point)
+      return look_along(direction, origin, along, reference);
   }
-  return {direction, Point3::Zero(), direction.unitOrthogonal()};
+  look_along(direction, Point3::Zero(), direction.unitOrthogonal(), reference);
 }
 
 /// Halves the edge's parameter range until chords are nearer than `sag` to the curve.
 class Sampler {
  public:
-  Sampler(const Model& model, EdgeId e, const Projection& project, double sag)
-      : model_(model), edge_(e), project_(project), sag_(sag) {}
+  Sampler(const Model& model, EdgeId e, const Reference& view, double sag)
+      : model_(model), edge_(e), view_(view), sag_(sag) {}
 
   ReferenceCurve sample() {
     constexpr int n_parts = 3;  // no symmetry of a curve can hide its bulge from all of them
@@ -62,7 +57,7 @@ class Sampler {
  private:
   static constexpr int deepest_ = 12;
 
-  Point2 at(double t) const { return project_(model_.point(edge_, t)); }
+  Point2 at(double t) const { return view_.project(model_.point(edge_, t)); }
 
   void add(double t, const Point2& p) {
     out_.t.push_back(t);
@@ -95,7 +90,7 @@ class Sampler {
 
   const Model& model_;
   EdgeId edge_;
-  const Projection& project_;
+  const Reference& view_;
   double sag_;
   ReferenceCurve out_;
 };
@@ -103,11 +98,12 @@ class Sampler {
 /// Whether each of `edges` lies over the edges `others`, at its ends and between.
 bool lie_over(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& others,
               const std::vector<const ReferenceCurve*>& curve, double tolerance) {
-  constexpr std::array fractions = {0.0, 0.21, 0.5, 0.83, 1.0};
+  constexpr int n_parts = 32;
   for (const EdgeId e : edges) {
     const Polyline& line = curve[e.index]->points;
-    for (const double f : fractions) {
-      const Point2 p = at_arc(line, f * length(line)).point;
+    const double whole = length(line);
+    for (int i = 0; i <= n_parts; ++i) {
+      const Point2 p = at_arc(line, whole * i / n_parts).point;
       const bool is_over = std::any_of(others.begin(), others.end(), [&](EdgeId o) {
         return nearest(curve[o.index]->points, p).distance <= tolerance;
       });
@@ -154,22 +150,28 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
                               double coincidence, const Context& context) {
-  const Projection project = frame_of(model, walls, direction);
   Reference reference;
+  look_along(model, walls, direction, reference);
   reference.coincidence = coincidence;
   for (const EdgeId e : walls.edges) {
     context.check("imprint");
-    reference.curves.push_back(Sampler(model, e, project, coincidence / 4).sample());
+    reference.curves.push_back(Sampler(model, e, reference, coincidence / 4).sample());
   }
   for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
-  for (const VertexId v : model.vertices()) reference.vertex[v.index] = project(model.point(v));
+  for (const VertexId v : model.vertices())
+    reference.vertex[v.index] = reference.project(model.point(v));
   return reference;
 }
 
 bool is_upright(const Walls& walls, const Reference& seen, FaceId face) {
   const auto curve = by_edge(walls, seen);
   const auto &bottoms = walls.bottoms[face.index], &tops = walls.tops[face.index];
-  return lie_over(bottoms, tops, curve, seen.coincidence) &&
+  const auto is_steep = [&](const std::pair<VertexId, VertexId>& side) {
+    return (seen.vertex[side.first.index] - seen.vertex[side.second.index]).norm() <=
+           2 * seen.coincidence;
+  };
+  return std::ranges::all_of(walls.sides[face.index], is_steep) &&
+         lie_over(bottoms, tops, curve, seen.coincidence) &&
          lie_over(tops, bottoms, curve, seen.coincidence);
 }
 

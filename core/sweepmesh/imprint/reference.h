@@ -23,6 +23,11 @@ struct ReferenceCurve {
 };
 
 struct Reference {
+  /// The view: coordinates across the direction.
+  Point3 origin = Point3::Zero();
+  Eigen::Matrix<double, 2, 3> axes = Eigen::Matrix<double, 2, 3>::Zero();
+  Point2 project(const Point3& p) const { return axes * (p - origin); }
+
   std::vector<ReferenceCurve> curves;
   std::vector<Point2> vertex;  ///< by VertexId; zero where no curve ends and no column passes
   double coincidence = 0.0;    ///< curves nearer than this are the same one in the CAD model
@@ -38,8 +43,8 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
                               double coincidence, const Context& context);
 
-/// Whether a linking face's lower and upper edges lie over each other, or those of all linking
-/// faces do: then the projection is R.
+/// Whether a linking face's lower and upper edges lie over each other, and the ends of its axial
+/// ones, or those of all linking faces do: then the projection is R.
 bool is_upright(const Walls& walls, const Reference& seen, FaceId face);
 bool is_upright(const Walls& walls, const Reference& seen);
 

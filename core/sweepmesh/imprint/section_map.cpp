@@ -1,24 +1,38 @@
 #include "sweepmesh/imprint/section_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
+#include "sweepmesh/base/errors.h"
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/surface/cap_map.h"
 
 namespace sweepmesh {
 namespace {
 
-/// Points along a loop at most `spacing` apart, the first not repeated.
+/// Points along a loop at most `spacing` apart, the first not repeated, and no two so near to each
+/// other, here or in R, that a triangle between them is nothing but rounding.
 OutlinePart refined(const OutlinePart& loop, double spacing) {
+  constexpr double least_share = 1e-4;  // of the spacing
+  const double least = least_share * spacing;
   OutlinePart out;
+  const auto is_free = [&](const Point2& from, const Point2& to, std::size_t i) {
+    return (from - out.from[i]).norm() > least && (to - out.to[i]).norm() > least;
+  };
   for (const PolylinePoint& p : resampled(loop.from, spacing)) {
-    if (!out.from.empty() && p.point == out.from.back()) continue;
+    const Point2 to = at_position(loop.to, p.position).point;
+    if (!out.from.empty() && !is_free(p.point, to, out.from.size() - 1)) continue;
     out.from.push_back(p.point);
-    out.to.push_back(at_position(loop.to, p.position).point);
+    out.to.push_back(to);
   }
-  out.from.pop_back();
-  out.to.pop_back();
+  while (out.from.size() > 1 && !is_free(out.from.back(), out.to.back(), 0)) {
+    out.from.pop_back();
+    out.to.pop_back();
+  }
   return out;
 }
 
@@ -41,6 +55,49 @@ void add_grid(const std::vector<OutlinePart>& loops, double spacing, std::vector
       });
       if (is_free && is_inside(loops, p)) points.push_back(p);
     }
+}
+
+using Triangle = std::array<int, 3>;
+
+/// A triangle with middles of some of its sides as nodes (-1: none; middle i is that of side i,
+/// from corner i to the next), as triangles.
+std::vector<Triangle> split_at(const Triangle& t, const Triangle& middle) {
+  const int n =
+      static_cast<int>(std::count_if(middle.begin(), middle.end(), [](int m) { return m >= 0; }));
+  if (n == 0) return {t};
+  int s = 0;  // the first split side whose next one is not, or any
+  while (middle[s] < 0 || (n == 2 && middle[(s + 1) % 3] < 0)) ++s;
+  const int a = t[s], b = t[(s + 1) % 3], c = t[(s + 2) % 3];
+  const int ab = middle[s], bc = middle[(s + 1) % 3], ca = middle[(s + 2) % 3];
+  if (n == 1) return {{a, ab, c}, {ab, b, c}};
+  if (n == 2) return {{ab, b, bc}, {a, ab, c}, {ab, bc, c}};
+  return {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}};
+}
+
+/// Puts a node into the middle of every inner side between two nodes of the boundary: a triangle
+/// with all its corners there could not follow a boundary that turns the other way in the image.
+std::vector<Triangle> with_chords_split(const std::vector<Triangle>& triangles, int n_boundary,
+                                        std::vector<Point2>& points) {
+  std::map<std::pair<int, int>, int> uses;
+  const auto side = [](const Triangle& t, int i) { return std::minmax(t[i], t[(i + 1) % 3]); };
+  for (const Triangle& t : triangles)
+    for (int i = 0; i < 3; ++i) ++uses[side(t, i)];
+  std::map<std::pair<int, int>, int> middles;
+  for (const auto& [ends, n] : uses)
+    if (n == 2 && ends.second < n_boundary) {
+      middles[ends] = static_cast<int>(points.size());
+      points.push_back(0.5 * (points[ends.first] + points[ends.second]));
+    }
+  std::vector<Triangle> out;
+  for (const Triangle& t : triangles) {
+    Triangle middle;
+    for (int i = 0; i < 3; ++i) {
+      const auto found = middles.find(side(t, i));
+      middle[i] = found == middles.end() ? -1 : found->second;
+    }
+    for (const Triangle& part : split_at(t, middle)) out.push_back(part);
+  }
+  return out;
 }
 
 }  // namespace
@@ -80,27 +137,93 @@ bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
   return inside;
 }
 
+namespace {
+
+/// The outline of a section as the boundary of a mesh, and its images.
+struct SectionOutline {
+  PlanarMesh mesh;
+  std::vector<Point2> images;
+  std::vector<std::vector<int>> loops;
+};
+
+SectionOutline outline_of(const std::vector<OutlinePart>& loops, double spacing) {
+  if (loops.empty())
+    throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
+  SectionOutline out;
+  for (const OutlinePart& loop : loops) {
+    const OutlinePart fine = refined(loop, spacing);
+    out.loops.emplace_back();
+    for (std::size_t i = 0; i < fine.from.size(); ++i) {
+      out.loops.back().push_back(out.mesh.n_nodes());
+      out.mesh.points.push_back(fine.from[i]);
+      out.images.push_back(fine.to[i]);
+    }
+  }
+  out.mesh.n_boundary = out.mesh.n_nodes();
+  return out;
+}
+
+/// The image of a point by the triangle that it lies in (or, for rounding, nearly lies in).
+Point2 image_in(const PlanarMesh& mesh, const std::vector<Point2>& images, const Point2& p) {
+  double best = -std::numeric_limits<double>::infinity();
+  Point2 out = p;
+  for (int c = 0; c < mesh.n_cells() && best < 0.0; ++c) {
+    const auto cell = mesh.cell(c);
+    const Point2 &a = mesh.points[cell[0]], &b = mesh.points[cell[1]], &d = mesh.points[cell[2]];
+    const double area = cross2(b - a, d - a);
+    const Eigen::Vector3d share =
+        Eigen::Vector3d(cross2(b - p, d - p), cross2(d - p, a - p), cross2(a - p, b - p)) / area;
+    if (share.minCoeff() <= best) continue;
+    best = share.minCoeff();
+    out = share[0] * images[cell[0]] + share[1] * images[cell[1]] + share[2] * images[cell[2]];
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
                                    const Context& context) {
-  PlanarMesh mesh;
-  std::vector<Point2> images;
-  std::vector<std::vector<int>> boundary;
-  for (const OutlinePart& loop : loops) {
-    const OutlinePart fine = refined(loop, spacing);
-    boundary.emplace_back();
-    for (std::size_t i = 0; i < fine.from.size(); ++i) {
-      boundary.back().push_back(mesh.n_nodes());
-      mesh.points.push_back(fine.from[i]);
-      images.push_back(fine.to[i]);
-    }
-  }
-  mesh.n_boundary = mesh.n_nodes();
+  SectionOutline section = outline_of(loops, spacing);
+  PlanarMesh& mesh = section.mesh;
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());
   add_grid(loops, spacing, mesh.points);
-  for (const auto& triangle : constrained_delaunay(mesh.points, boundary)) mesh.add_cell(triangle);
-  const std::vector<Point2> all = map_planar(mesh, images, {}, context).points;
+  for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
+  const std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
+}
+
+namespace {
+
+std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
+                               const std::vector<Point2>& points, double spacing,
+                               const Context& context) {
+  SectionOutline section = outline_of(loops, spacing);
+  PlanarMesh& mesh = section.mesh;
+  add_grid(loops, spacing, mesh.points);
+  const auto triangles = constrained_delaunay(mesh.points, section.loops);
+  for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
+    mesh.add_cell(t);
+  MapOptions options;
+  options.poor = -1.0;
+  const std::vector<Point2> images = map_planar(mesh, section.images, options, context).points;
+  std::vector<Point2> out;
+  for (const Point2& p : points) out.push_back(image_in(mesh, images, p));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Point2> carried_smoothly(const std::vector<OutlinePart>& loops,
+                                     const std::vector<Point2>& points, double spacing,
+                                     const Context& context) {
+  constexpr int n_refinements = 2;
+  for (int i = 0;; ++i) try {
+      return carried_at(loops, points, spacing / (1 << i), context);
+    } catch (const InvalidMeshError&) {
+      if (i == n_refinements) throw;
+    }
 }
 
 }  // namespace sweepmesh

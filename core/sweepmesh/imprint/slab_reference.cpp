@@ -12,22 +12,37 @@
 namespace sweepmesh {
 namespace {
 
+/// Of places on a line those that are more than `least` of arc apart, and both ends.
+std::vector<double> apart(const Polyline& line, const std::set<double>& positions, double least) {
+  std::vector<double> out;
+  double arc = 0.0;
+  const double whole = length(line);
+  for (const double at : positions) {
+    const double here = at_position(line, at).arc;
+    if (!out.empty() && (here - arc <= least || whole - here <= least)) continue;
+    out.push_back(at);
+    arc = here;
+  }
+  const double end = static_cast<double>(line.size() - 1);
+  if (out.back() != end) out.push_back(end);
+  return out;
+}
+
 class SlabWalker {
  public:
   SlabWalker(const Model& model, const Scheme& scheme, const Walls& walls, const Point3& direction,
              const Reference& seen, double size, const Context& context)
       : model_(model),
         walls_(walls),
-        direction_(direction),
         seen_(seen),
         size_(size),
         context_(context),
-        panels_(find_panels(model, scheme, walls, seen)),
+        height_(level_heights(model, walls, direction)),
+        panels_(find_panels(model, scheme, walls, seen, height_)),
         in_r_(panels_.size()),
         out_(seen) {}
 
   Reference run() {
-    find_heights();
     const int n = static_cast<int>(height_.size());
     base_ = base_level();
     for (std::size_t p = 0; p < panels_.size(); ++p)
@@ -46,20 +61,6 @@ class SlabWalker {
   }
 
  private:
-  /// Mean height of every level; levels are numbered without gaps.
-  void find_heights() {
-    std::map<int, std::pair<double, int>> sums;
-    for (const EdgeId e : walls_.edges) {
-      auto& [sum, n] = sums[walls_.level[e.index]];
-      sum += direction_.dot(model_.point(model_.start(e)));
-      ++n;
-    }
-    for (const auto& [level, sum] : sums) height_[level] = sum.first / sum.second;
-    for (std::size_t i = 0; i < walls_.vertex_level.size(); ++i)
-      if (const int l = walls_.vertex_level[i]; l >= 0 && !height_.contains(l))
-        height_[l] = direction_.dot(model_.point(VertexId{i}));
-  }
-
   Polyline seen_at(const Panel& p, int level) const { return seen_at_height(p, height_.at(level)); }
 
   Polyline seen_at_height(const Panel& p, double height) const {
@@ -95,11 +96,12 @@ class SlabWalker {
     });
     MeanValueField field(seen_.coincidence);
     for (const OutlinePart& part : parts) field.add(part.from, part.to);
+    const std::set<FaceId> free_faces = free_leaning_faces(level, level == high);
     std::vector<ReferenceCurve*> curves;
     for (ReferenceCurve& c : out_.curves)
       if (walls_.level[c.edge.index] == level) {
         refine(parts, c);
-        lean_halfway(level, level == high, c);
+        lean_halfway(free_faces, level, level == high, c);
         curves.push_back(&c);
       }
     move(low, high, level, parts, field, curves);
@@ -117,7 +119,7 @@ class SlabWalker {
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
     ReferenceCurve fine{c.edge, {}, {}};
-    for (const double at : positions) {
+    for (const double at : apart(c.points, positions, seen_.coincidence)) {
       const std::size_t i = std::min(static_cast<std::size_t>(at), c.points.size() - 2);
       fine.points.push_back(at_position(c.points, at).point);
       fine.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
@@ -125,18 +127,54 @@ class SlabWalker {
     c = std::move(fine);
   }
 
-  /// An edge where a leaning linking face begins, and none ends, is taken where the face is halfway
-  /// to its other end, for the same reason as base_height().
-  void lean_halfway(int level, bool upwards, ReferenceCurve& c) const {
+  /// Leaning linking faces that begin at a level (going away from the base) with nothing else
+  /// beside them there: no face ends at their edges, and whatever meets these is of such a face
+  /// too.
+  std::set<FaceId> free_leaning_faces(int level, bool upwards) const {
+    const auto& begins = upwards ? walls_.above : walls_.below;
+    const auto& ends = upwards ? walls_.below : walls_.above;
+    std::set<FaceId> out, tied;
+    for (const Panel& p : panels_) {
+      if ((upwards ? p.low : p.high) == level && !is_upright_[p.face.index]) out.insert(p.face);
+      if ((upwards ? p.high : p.low) == level) tied.insert(p.face);
+    }
+    std::map<VertexId, std::set<FaceId>> at;  // invalid ids stand for what is no such face
+    for (const ReferenceCurve& c : out_.curves) {
+      if (walls_.level[c.edge.index] != level) continue;
+      const FaceId f = ends[c.edge.index].is_valid() ? FaceId{} : begins[c.edge.index];
+      if (!f.is_valid()) tied.insert(begins[c.edge.index]);
+      for (const VertexId v : {model_.start(c.edge), model_.end(c.edge)}) at[v].insert(f);
+    }
+    for (const FaceId f : tied) out.erase(f);
+    for (bool changes = true; changes;) {
+      changes = false;
+      for (const auto& [v, faces] : at) {
+        if (std::ranges::all_of(faces, [&](FaceId f) { return out.contains(f); })) continue;
+        for (const FaceId f : faces) changes |= out.erase(f) > 0;
+      }
+    }
+    return out;
+  }
+
+  /// An edge of such a face is taken where the face is halfway to its other end, for the same
+  /// reason as base_height().
+  void lean_halfway(const std::set<FaceId>& free_faces, int level, bool upwards,
+                    ReferenceCurve& c) const {
     const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
-    const FaceId ending = (upwards ? walls_.below : walls_.above)[c.edge.index];
-    if (!f.is_valid() || is_upright_[f.index] || ending.is_valid()) return;
+    if (!free_faces.contains(f)) return;
+    const Point2 middle = at_arc(c.points, length(c.points) / 2).point;
+    const Panel* panel = nullptr;
+    double least = std::numeric_limits<double>::infinity();
     for (const Panel& p : panels_) {
       if (p.face != f || (upwards ? p.low : p.high) != level) continue;
-      const Polyline line = seen_at(p, level), half = p.at(0.5);
-      for (Point2& x : c.points) x = at_position(half, nearest(line, x).position).point;
-      return;
+      const double distance = nearest(seen_at(p, level), middle).distance;
+      if (distance >= least) continue;
+      least = distance;
+      panel = &p;
     }
+    if (!panel) return;
+    const Polyline line = seen_at(*panel, level), half = panel->at(0.5);
+    for (Point2& x : c.points) x = at_position(half, nearest(line, x).position).point;
   }
 
   /// Points on the outline, and outside of it, move with the field; those inside by the section's
@@ -265,15 +303,50 @@ class SlabWalker {
         const PolylinePoint foot = nearest(line, at_parameter(seen_.curves[c], t));
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
+    const auto met = met_panels(panel, level);
+    for (const std::size_t m : met)
+      for (const Point2& x : seen_at(panels_[m], level)) {
+        const PolylinePoint foot = nearest(line, x);
+        if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
+      }
     Polyline bottom, top;
     in_r_[p].clear();
-    for (const double at : positions) {
+    for (const double at : apart(line, positions, seen_.coincidence)) {
       bottom.push_back(at_position(panel.bottom, at).point);
       top.push_back(at_position(panel.top, at).point);
-      in_r_[p].push_back(along_edges(curves, at_position(line, at).point));
+      in_r_[p].push_back(along_edges_or_panels(curves, met, level, at_position(line, at).point));
     }
     panel.bottom = std::move(bottom);
     panel.top = std::move(top);
+  }
+
+  /// Panels of the same face that end where this one begins, and are known.
+  std::vector<std::size_t> met_panels(const Panel& panel, int level) const {
+    std::vector<std::size_t> out;
+    for (std::size_t m = 0; m < panels_.size(); ++m)
+      if (panels_[m].face == panel.face && !in_r_[m].empty() &&
+          (level == panel.low ? panels_[m].high : panels_[m].low) == level)
+        out.push_back(m);
+    return out;
+  }
+
+  /// R at a place that lies on one of the curves, or else on the end of one of the panels.
+  Point2 along_edges_or_panels(const std::vector<std::size_t>& curves,
+                               const std::vector<std::size_t>& panels, int level,
+                               const Point2& x) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t c : curves)
+      least = std::min(least, nearest(seen_.curves[c].points, x).distance);
+    Point2 best = x;
+    bool is_panel = false;
+    for (const std::size_t m : panels) {
+      const PolylinePoint foot = nearest(seen_at(panels_[m], level), x);
+      if (foot.distance >= least - seen_.coincidence) continue;
+      least = foot.distance;
+      best = at_position(in_r_[m], foot.position).point;
+      is_panel = true;
+    }
+    return is_panel ? best : along_edges(curves, x);
   }
 
   /// R at a place that lies on one of the curves as they are seen.
@@ -305,16 +378,15 @@ class SlabWalker {
 
   const Model& model_;
   const Walls& walls_;
-  const Point3 direction_;
   const Reference& seen_;
   const double size_;
   const Context& context_;
+  const Heights height_;
   std::vector<Panel> panels_;
   std::vector<Polyline> in_r_;    ///< by panel, once known
   std::vector<char> is_known_;    ///< by curve: it is in R
   std::vector<char> is_upright_;  ///< by FaceId
-  std::map<int, double> height_;
-  int base_ = 0;  ///< level at the lower end of the base slab
+  int base_ = 0;                  ///< level at the lower end of the base slab
   Reference out_;
 };
 

@@ -39,6 +39,17 @@ void add_coedge(const Coedge& c, Direction d, Walls& walls) {
   }
 }
 
+void add_sides(const Loop& loop, const std::vector<Direction>& directions, FaceId f, Walls& walls) {
+  const std::size_t n = loop.size();
+  for (std::size_t first = 0; first < n; ++first) {
+    const Direction d = directions[first];
+    if (!is_axial(d) || directions[(first + n - 1) % n] == d) continue;
+    std::size_t last = first;
+    while (directions[(last + 1) % n] == d) ++last;
+    walls.sides[f.index].push_back({loop[first].start, loop[last % n].end});
+  }
+}
+
 }  // namespace
 
 Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int>& level) {
@@ -51,6 +62,7 @@ Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int
   walls.solid_left_below.assign(model.n_edges(), 0);
   walls.bottoms.resize(model.n_faces());
   walls.tops.resize(model.n_faces());
+  walls.sides.resize(model.n_faces());
   for (const EdgeId e : model.edges()) {
     if (scheme.edge_role[e.index] == EdgeRole::axial || !divides(model, e)) continue;
     walls.level[e.index] = level_of(model, e, level);
@@ -59,13 +71,15 @@ Walls find_walls(const Model& model, const Scheme& scheme, const std::vector<int
   for (const FaceId f : model.faces()) {
     if (scheme.face_role[f.index] != FaceRole::linking) continue;
     const auto& loops = model.loops(f);
-    for (std::size_t l = 0; l < loops.size(); ++l)
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      add_sides(loops[l], scheme.face[f.index].direction[l], f, walls);
       for (std::size_t c = 0; c < loops[l].size(); ++c) {
         const Coedge& coedge = loops[l][c];
         const Direction d = scheme.face[f.index].direction[l][c];
         if (coedge.edge.is_valid() && !is_axial(d) && walls.level[coedge.edge.index] >= 0)
           add_coedge(coedge, d, walls);
       }
+    }
   }
   return walls;
 }

@@ -1,6 +1,7 @@
 // Which linking face stands on, or hangs below, each transverse edge.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "sweepmesh/base/ids.h"
@@ -21,6 +22,8 @@ struct Walls {
   std::vector<std::vector<EdgeId>> bottoms,
       tops;                   ///< of a linking face: edges it stands on, ends at
   std::vector<EdgeId> edges;  ///< all with a level, ascending
+  /// Of a linking face: the ends of each run of axial edges along its loops.
+  std::vector<std::vector<std::pair<VertexId, VertexId>>> sides;
 };
 
 /// From the directions of the scheme and the levels of vertices (sweep_levels.h). Edges that one

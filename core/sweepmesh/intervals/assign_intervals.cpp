@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/separation.h"
 
@@ -73,7 +74,8 @@ SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, Interv
     }
     best = {to_intervals(demands, solution), solution.values};
     how.explain = false;
-    if (separation.add_violated(solution, demands) == 0) break;
+    const int n_coarse = raise_for_areas(model, options, best->intervals.edge, demands);
+    if (separation.add_violated(solution, demands) + n_coarse == 0) break;
   }
   return std::move(*best);
 }

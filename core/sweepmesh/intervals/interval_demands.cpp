@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/wishes.h"
 
 namespace sweepmesh {
@@ -54,10 +56,12 @@ class Builder {
 
   void add_unknowns() {
     const auto wishes = wished_counts(model_, options_);
+    const auto needs = area_counts(model_, options_, wishes);
     for (const EdgeId e : model_.edges()) {
       const bool is_closed = model_.start(e) == model_.end(e);
-      out_.edge[e.index] =
-          out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wishes[e.index], wishes[e.index]});
+      const double wish = std::max(wishes[e.index], needs[e.index]);
+      const double weight = wish * importance(options_, e);
+      out_.edge[e.index] = out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wish, weight});
     }
     for (const VertexId v : model_.vertices())
       out_.vertex[v.index] = out_.problem.add({-unbounded, unbounded, std::nullopt, 0.0});
@@ -159,24 +163,38 @@ class Builder {
     const bool a_is_low = std::count(directions.begin(), directions.end(), Direction::plus_i) > 0;
     const auto& low = model_.loops(f)[a_is_low ? a : b].front();
     const auto& high = model_.loops(f)[a_is_low ? b : a].front();
-    const double apart = (model_.point(low.start) - model_.point(high.start)).norm();
-    const int rise = add_rise(apart);
+    const int rise = add_rise(distance(model_.loops(f)[a_is_low ? b : a], model_.point(low.start)));
     demand(Kind::equality, {{rise, 1.0}, {level(high.start), -1.0}, {level(low.start), 1.0}}, 0.0,
            {name_of(f)}, name_of(f) + " must rise from one layer to another");
   }
 
-  /// Caps that no linking face connects (a shell between two closed surfaces): a source lies above
-  /// each target, by its distance in element sizes.
-  void join_levels() {
-    if (!scheme_.faces_with(FaceRole::linking).empty()) return;
-    for (const FaceId source : scheme_.faces_with(FaceRole::source))
-      for (const FaceId target : scheme_.faces_with(FaceRole::target)) rise_between(target, source);
+  double distance(const Loop& loop, const Point3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Coedge& c : loop)
+      if (c.edge.is_valid()) least = std::min(least, model_.distance(c.edge, p));
+    return least;
   }
 
-  void rise_between(FaceId target, FaceId source) {
+  /// Caps that no linking face connects (a shell between two closed surfaces): a source lies above
+  /// the nearest target, by its distance in element sizes.
+  void join_levels() {
+    if (!scheme_.faces_with(FaceRole::linking).empty()) return;
+    for (const FaceId source : scheme_.faces_with(FaceRole::source)) {
+      const auto [low, high] = model_.uv_bounds(source);
+      const Point3 middle = model_.point(source, 0.5 * (low + high));
+      FaceId nearest;
+      double apart = std::numeric_limits<double>::infinity();
+      for (const FaceId target : scheme_.faces_with(FaceRole::target)) {
+        const double distance = model_.distance(target, middle);
+        if (distance < apart) apart = distance, nearest = target;
+      }
+      if (nearest.is_valid()) rise_between(nearest, source, apart);
+    }
+  }
+
+  void rise_between(FaceId target, FaceId source, double apart) {
     const VertexId low = model_.loops(target).front().front().start;
     const VertexId high = model_.loops(source).front().front().start;
-    const double apart = model_.distance(target, model_.point(high));
     const int rise = add_rise(apart);
     demand(Kind::equality, {{rise, 1.0}, {level(high), -1.0}, {level(low), 1.0}}, 0.0,
            {name_of(source), name_of(target)},

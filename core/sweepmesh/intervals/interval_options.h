@@ -34,6 +34,9 @@ struct IntervalOptions {
   /// The largest angle, in radians, by which a mesh edge should turn along a curved edge, > 0. The
   /// default gives a full circle ten edges, whose polygon has 94 % of its area.
   double max_turn = 0.65;
+  /// The largest part of a plane face's area, 0 to 1, by which the chords along its curved edges
+  /// should miss it: small segments of circles need more edges than their length and turn say.
+  double max_area_error = 0.07;
   bool quad_caps = true;             ///< caps are meshed by quads: their boundaries need even sums
   /// Seconds for the integer solver, for each independent part, > 0; empty: only its work is
   /// limited, so the counts do not depend on the machine.

@@ -80,6 +80,12 @@ double wish_of(const Model& model, const IntervalOptions& o, EdgeId edge) {
   return std::max({1.0, model.length(edge) / size, turn_of(model, edge) / o.max_turn});
 }
 
+double expected_on(const Model& model, const IntervalOptions& o, EdgeId edge) {
+  if (const auto count = o.edge_count.find(edge); count != o.edge_count.end()) return count->second;
+  const auto own = o.edge_size.find(edge);
+  return std::max(1.0, model.length(edge) / (own == o.edge_size.end() ? o.size : own->second));
+}
+
 }  // namespace
 
 std::vector<double> wished_counts(const Model& model, const IntervalOptions& options) {
@@ -97,9 +103,13 @@ std::vector<double> wished_counts(const Model& model, const IntervalOptions& opt
   return out;
 }
 
+double importance(const IntervalOptions& options, EdgeId edge) {
+  return options.edge_size.contains(edge) ? 1000.0 : 1.0;
+}
+
 double expected_elements(const Model& model, const IntervalOptions& options) {
   double on_edges = 0.0;
-  for (const EdgeId e : model.edges()) on_edges += std::max(1.0, model.length(e) / options.size);
+  for (const EdgeId e : model.edges()) on_edges += expected_on(model, options, e);
   return std::max(on_edges, model.volume() / std::pow(options.size, 3));
 }
 

@@ -14,7 +14,11 @@ namespace sweepmesh {
 /// counts below one, ratios of a bias that are not positive, and edges that the solid has not.
 std::vector<double> wished_counts(const Model& model, const IntervalOptions& options);
 
-/// Elements to expect: volume over size cubed, not less than the wished edges of all CAD edges. For
+/// How much the wish of an edge counts beside those of others: 1, or a thousand for an edge with a
+/// size of its own, so that edges tied to it follow.
+double importance(const IntervalOptions& options, EdgeId edge);
+
+/// Elements to expect: volume over size cubed, not less than the edges wished for all CAD edges. For
 /// refusing absurd sizes before anything is built; cost: that of the edges' lengths.
 double expected_elements(const Model& model, const IntervalOptions& options);
 

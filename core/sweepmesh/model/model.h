@@ -116,8 +116,11 @@ class Model {
   double dihedral(EdgeId, double fraction = 0.5) const;
 
   struct Impl;
+  const Impl& impl() const { return *impl_; }  ///< for model/ itself
 
  private:
+  friend struct DividedModel divide_model(const Model& model,
+                                          const std::vector<struct FaceCut>& cuts);
   explicit Model(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<const Impl> impl_;
 };

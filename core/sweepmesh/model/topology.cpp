@@ -73,7 +73,6 @@ Coedge make_coedge(Impl& impl, FaceId face, const TopoDS_Edge& edge, const TopoD
   Coedge coedge;
   coedge.face = face;
   coedge.reversed = edge.Orientation() == TopAbs_REVERSED;
-  coedge.seam = BRep_Tool::IsClosed(edge, forward);
   TopoDS_Vertex start, end;
   TopExp::Vertices(edge, start, end, true);
   coedge.start = VertexId{impl.vertex_map.FindIndex(start) - 1};
@@ -151,6 +150,14 @@ void reverse_loop(Loop& loop) {
   }
 }
 
+/// An edge on the seam of the surface is a seam of the face only where the face uses it twice.
+void mark_seams(std::vector<Coedge>& wire) {
+  for (Coedge& c : wire)
+    c.seam = c.edge.is_valid() && std::count_if(wire.begin(), wire.end(), [&](const Coedge& other) {
+                                    return other.edge == c.edge;
+                                  }) == 2;
+}
+
 std::vector<Loop> make_loops(Impl& impl, FaceId id, const TopoDS_Face& forward, bool swapped) {
   std::vector<std::pair<double, Loop>> loops;
   for (TopoDS_Iterator wire(forward); wire.More(); wire.Next()) {
@@ -159,6 +166,7 @@ std::vector<Loop> make_loops(Impl& impl, FaceId id, const TopoDS_Face& forward, 
     for (TopoDS_Iterator it(wire.Value()); it.More(); it.Next())
       coedges.push_back(make_coedge(impl, id, TopoDS::Edge(it.Value()), forward));
     if (coedges.empty()) continue;
+    mark_seams(coedges);
     Loop loop = chained(impl, std::move(coedges));
     const double area = signed_area(impl, loop);
     loops.emplace_back(area, std::move(loop));

@@ -1,6 +1,8 @@
 #include "sweepmesh/scheme/assess.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "sweepmesh/base/errors.h"
@@ -10,6 +12,7 @@
 #include "sweepmesh/scheme/reasons.h"
 #include "sweepmesh/scheme/role_search.h"
 #include "sweepmesh/scheme/to_scheme.h"
+#include "sweepmesh/scheme/vertex_types.h"
 
 namespace sweepmesh {
 
@@ -27,6 +30,30 @@ int index_of(const SweepProblem& problem, FaceId id) {
   if (at == problem.faces.end())
     throw InputError("assess", name_of(id) + " is not a face of this solid.", {name_of(id)});
   return static_cast<int>(at - problem.faces.begin());
+}
+
+/// Throws where a vertex is given two types on one face, or a type on a face that is picked as a
+/// cap.
+void check_types(const Picks& picks) {
+  std::set<FaceId> caps(picks.sources.begin(), picks.sources.end());
+  caps.insert(picks.targets.begin(), picks.targets.end());
+  for (const auto& [source, target] : picks.pairs) caps.insert({source, target});
+  std::map<std::pair<FaceId, VertexId>, VertexType> seen;
+  for (const TypePick& pick : picks.types) {
+    const std::string face = name_of(pick.face), vertex = name_of(pick.vertex);
+    const VertexType other = seen.try_emplace({pick.face, pick.vertex}, pick.type).first->second;
+    if (other != pick.type)
+      throw InputError("assess",
+                       vertex + " of " + face + " is given as " + name_of(other) + " and as " +
+                           name_of(pick.type) + ".",
+                       {vertex, face});
+    if (caps.contains(pick.face))
+      throw InputError("assess",
+                       vertex + " is given a vertex type on " + face +
+                           ", which is picked as a source or target: only linking faces have "
+                           "vertex types.",
+                       {vertex, face});
+  }
 }
 
 std::vector<FixedCorner> fixed_corners(const SweepProblem& problem,
@@ -61,6 +88,16 @@ std::vector<Pick> all_picks(const Picks& picks) {
   return out;
 }
 
+/// The picked caps, and every face with a picked vertex type as a linking face.
+std::vector<Pick> with_types(std::vector<Pick> caps, const std::vector<TypePick>& types) {
+  for (const TypePick& pick : types) caps.emplace_back(pick.face, kLinkingStates);
+  return caps;
+}
+
+bool is_cap(const Pick& pick) {
+  return pick.second != kLinkingStates;
+}
+
 Choices start_of(const Network& network, const std::vector<Pick>& picks) {
   Choices out = open_choices(network);
   std::vector<int> touched;
@@ -74,7 +111,7 @@ Choices start_of(const Network& network, const std::vector<Pick>& picks) {
 SearchResult search(const Network& network, const std::vector<Pick>& picks, Context& context,
                     SearchOptions options = {}) {
   const Choices start = start_of(network, picks);
-  options.is_symmetric = picks.empty();
+  options.is_symmetric = std::ranges::none_of(picks, is_cap);
   SearchResult result;
   for (double limit : kCostLimits) {
     options.max_cost = limit;
@@ -93,12 +130,17 @@ int count(const Division& division, StateSet role) {
       std::count(division.choices.role.begin(), division.choices.role.end(), role));
 }
 
+std::size_t n_caps(const Scheme& scheme) {
+  return scheme.faces_with(FaceRole::source).size() + scheme.faces_with(FaceRole::target).size();
+}
+
+bool has_picked(const std::vector<Pick>& picks, StateSet role) {
+  return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
+}
+
 /// Caps that were not picked, where sources and targets were; else 0.
 int n_unasked_caps(const Division& division, const std::vector<Pick>& picks) {
-  const auto has_picked = [&](StateSet role) {
-    return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
-  };
-  if (!has_picked(kSourceStates) || !has_picked(kTargetStates)) return 0;
+  if (!has_picked(picks, kSourceStates) || !has_picked(picks, kTargetStates)) return 0;
   return count(division, kSourceStates) + count(division, kTargetStates) -
          static_cast<int>(picks.size());
 }
@@ -180,31 +222,41 @@ class Assessor {
         picks_(picks),
         context_(context),
         problem_(sweep_problem(model, context)),
-        chosen_(all_picks(picks)) {}
+        chosen_(all_picks(picks)),
+        asked_(with_types(chosen_, picks.types)) {}
 
   Assessment assess() {
-    for (const auto& [id, states] : chosen_) index_of(problem_, id);
+    Assessment out = judge();
+    out.folds = !out.is_sweepable() && opposed_;
+    return out;
+  }
+
+ private:
+  Assessment judge() {
+    for (const auto& [id, states] : asked_) index_of(problem_, id);
+    check_types(picks_);
     if (auto reasons = reasons_in_boundary(problem_); !reasons.empty()) return {{}, reasons};
     if (auto reasons = reasons_in_picks(problem_, picks_); !reasons.empty()) return {{}, reasons};
     context_.report(0.2, "Looking for sources and targets.");
     const auto fixed = fixed_corners(problem_, picks_.types);
     const Network strict = make_network(problem_, strict_limits(), fixed);
-    if (auto found = try_with(strict, chosen_)) {
-      if (chosen_.empty()) add_prismatic(*found, fixed);
-      return *found;
-    }
+    if (auto found = try_with(strict, asked_)) return with_more(*found, fixed);
     if (opposed_) return {{}, {*opposed_}};
+    if (auto found = try_with(make_network(problem_, tangent_limits(), fixed), asked_))
+      return with_more(*found, fixed);
     context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
     if (!chosen_.empty() || !fixed.empty())
-      if (auto found = try_with(lenient, chosen_)) return *found;
+      if (auto found = try_with(lenient, asked_)) return *found;
     if (auto refused = refuse_types()) return *refused;
     if (!chosen_.empty()) return refuse_picks(strict, lenient);
-    if (auto found = try_radial()) return *found;
+    if (auto found = try_radial()) {
+      if (picks_.types.empty()) return *found;
+      return {{}, {type_reason(picks_.types)}};
+    }
     return refuse(lenient);
   }
 
- private:
   std::optional<Assessment> try_with(const Network& network, const std::vector<Pick>& picks) {
     SearchResult result = search(network, picks, context_);
     if (result.divisions.empty()) {
@@ -217,15 +269,54 @@ class Assessor {
     return Assessment{ranked(model_, network, result.divisions, chosen_), {}};
   }
 
-  /// Offers straight sweeps, too, whatever their angles cost.
+  /// Schemes that the search by cost leaves out.
+  Assessment with_more(Assessment found, const std::vector<FixedCorner>& fixed) {
+    if (chosen_.empty())
+      add_prismatic(found, fixed);
+    else
+      prefer_picked(found, fixed);
+    return found;
+  }
+
+  /// Where sources and targets were picked: a scheme of just these caps comes first, even if it
+  /// takes tangent rims where others do not.
+  void prefer_picked(Assessment& found, const std::vector<FixedCorner>& fixed) {
+    if (!has_picked(chosen_, kSourceStates) || !has_picked(chosen_, kTargetStates)) return;
+    if (found.schemes.empty() || n_caps(found.schemes.front()) == chosen_.size()) return;
+    std::vector<Pick> exact = chosen_;
+    for (const ProblemFace& face : problem_.faces)
+      if (std::ranges::find(chosen_, face.id, &Pick::first) == chosen_.end())
+        exact.emplace_back(face.id, kLinkingStates);
+    const auto picked = try_with(make_network(problem_, tangent_limits(), fixed), exact);
+    if (picked)
+      found.schemes.insert(found.schemes.begin(), picked->schemes.begin(), picked->schemes.end());
+  }
+
+  /// Offers straight sweeps, too: in the order of cost where rounds and fillets are tangent to caps
+  /// at worst, else at the end, whatever their angles cost.
   void add_prismatic(Assessment& found, const std::vector<FixedCorner>& fixed) {
-    const Network lenient = make_network(problem_, lenient_limits(), fixed);
-    for (const Scheme& scheme :
-         ranked(model_, lenient, prismatic_divisions(lenient, context_), chosen_)) {
+    std::vector<Scheme>& schemes = found.schemes;
+    for (const Scheme& s : new_prismatic(tangent_limits(), fixed, schemes))
+      schemes.insert(std::ranges::upper_bound(schemes, s.cost, {}, &Scheme::cost), s);
+    for (const Scheme& s : new_prismatic(lenient_limits(), fixed, schemes))
+      if (s.cost >= schemes.back().cost) schemes.push_back(s);
+  }
+
+  std::vector<Scheme> new_prismatic(const AngleLimits& limits,
+                                    const std::vector<FixedCorner>& fixed,
+                                    const std::vector<Scheme>& known) {
+    const Network network = make_network(problem_, limits, fixed);
+    std::vector<Scheme> out =
+        ranked(model_, network, prismatic_divisions(network, context_), chosen_);
+    std::erase_if(out, [&](const Scheme& scheme) {
       const bool is_known = std::ranges::any_of(
-          found.schemes, [&](const Scheme& other) { return has_same_caps(scheme, other); });
-      if (!is_known && scheme.cost >= found.schemes.back().cost) found.schemes.push_back(scheme);
-    }
+          known, [&](const Scheme& other) { return has_same_caps(scheme, other); });
+      const bool is_asked = std::ranges::all_of(picks_.types, [&](const TypePick& pick) {
+        return scheme.face_role[pick.face.index] == FaceRole::linking;
+      });
+      return is_known || !is_asked;
+    });
+    return out;
   }
 
   /// Two closed shells, each without re-entrant edges, and nothing between them: from the one to
@@ -243,7 +334,7 @@ class Assessor {
   bool can_hold(const std::vector<TypePick>& types) {
     const Network network =
         make_network(problem_, lenient_limits(), fixed_corners(problem_, types));
-    return !search(network, chosen_, context_).divisions.empty();
+    return !search(network, with_types(chosen_, types), context_).divisions.empty();
   }
 
   /// Drops each type that is not needed for the contradiction. Empty where the types are not at
@@ -278,7 +369,8 @@ class Assessor {
   const Picks& picks_;
   Context& context_;
   SweepProblem problem_;
-  std::vector<Pick> chosen_;
+  std::vector<Pick> chosen_;         ///< caps
+  std::vector<Pick> asked_;          ///< and the faces with vertex types
   bool is_strict_complete_ = false;  ///< some search proved that there is nothing
   std::optional<Reason> opposed_;    ///< found within the strict limits, but for walls
 };

@@ -21,6 +21,10 @@ struct AngleLimits {
   /// How far an edge's dihedral angle may be anywhere from what its type asks for. With 60 degrees
   /// an edge is only what its angle suggests; infinite, only `margin` counts.
   double edge_deviation = std::numbers::pi / 3;
+  /// The same for a cap's rim that the boundary bends around: END edges where it bends outwards
+  /// (the edge of a round), CORNER edges where it bends inwards (the foot of a fillet). The chords
+  /// of the mesh meet at a better angle there than the tangent faces do.
+  double rim_deviation = std::numbers::pi / 3;
   /// Whether END edges and END vertices may be as flat as 180 degrees where the boundary bends
   /// outwards around them: the mesh, being made of chords, is still valid there, though poor.
   bool allows_tangent_end = false;
@@ -30,15 +34,21 @@ struct AngleLimits {
 inline AngleLimits strict_limits() {
   return {};
 }
+/// As strict, but that rounds and fillets may be tangent to caps: for solids that have nothing
+/// better.
+AngleLimits tangent_limits();
 /// What is possible at all: where somebody has decided on sources and targets.
 AngleLimits lenient_limits();
 /// Between the two: what a radial sweep takes that nobody asked for. Right angles between the faces
 /// of a shell are halved by it.
 AngleLimits radial_limits();
 
-/// The limits at a place where the boundary bends outwards or does not.
-inline AngleLimits of_place(AngleLimits limits, bool is_rounded) {
-  limits.allows_tangent_end &= is_rounded;
+/// How the boundary goes on beside a corner or an edge that may be tangent.
+enum class Bend { none, outwards, inwards };
+
+/// The limits at a place where the boundary bends so.
+inline AngleLimits of_place(AngleLimits limits, Bend bend) {
+  limits.allows_tangent_end &= bend == Bend::outwards;
   return limits;
 }
 
@@ -56,7 +66,8 @@ bool is_vertex_allowed(double angle, VertexType type, const AngleLimits& limits)
 
 /// An edge across which the sweep turns (END: a cap's convex rim, CORNER: a cap's concave rim) or
 /// goes on (SIDE). `least` and `largest` are the extremes of its dihedral angle. CORNER needs 180
-/// degrees or more.
-bool is_edge_allowed(double least, double largest, VertexType type, const AngleLimits& limits);
+/// degrees or more. `limits` are the general ones, which hold at the place of that bend.
+bool is_edge_allowed(double least, double largest, Bend bend, VertexType type,
+                     const AngleLimits& limits);
 
 }  // namespace sweepmesh

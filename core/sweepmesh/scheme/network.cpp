@@ -111,7 +111,7 @@ Network make_network(SweepProblem problem, const AngleLimits& limits,
   Network out{std::move(problem), {}, {}, preferences};
   out.pair = pair_costs(out.problem, limits, preferences);
   for (const ProblemCoedge& coedge : out.problem.coedges)
-    out.corner.push_back(corner_costs(coedge.angle, of_place(limits, coedge.is_rounded)));
+    out.corner.push_back(corner_costs(coedge.angle, of_place(limits, coedge.bend)));
   for (const FixedCorner& f : fixed)
     for (int t = 0; t < 4; ++t) out.corner[f.coedge][t] = kTypes[t] == f.type ? 0.0 : kImpossible;
   return out;

@@ -8,10 +8,13 @@
 
 namespace sweepmesh {
 
-enum class FaceRole { none, source, target, linking };
+/// divided: of a face whose parts have different roles (divided_sweep.h); no scheme of the stages
+/// has such a face.
+enum class FaceRole { none, source, target, linking, divided };
 
-/// none: inside a cap (between two caps or a seam of a cap), no direction of its own.
-enum class EdgeRole { none, transverse, axial };
+/// none: inside a cap (between two caps or a seam of a cap), no direction of its own. divided: as
+/// of faces.
+enum class EdgeRole { none, transverse, axial, divided };
 
 /// How many quads meet at a face's vertex: END 1, SIDE 2, CORNER 3, REVERSAL 4 (thesis eq. 6.2).
 /// The value is the turn of the boundary there, in quarter turns to the left.
@@ -70,10 +73,12 @@ struct Reason {
 struct Assessment {
   std::vector<Scheme> schemes;
   std::vector<Reason> reasons;
+  bool folds = false;  ///< not sweepable as walls run back against the sweep of a scheme
   bool is_sweepable() const { return !schemes.empty(); }
 };
 
-/// A vertex type that the user wants on a linking face, wherever the face's loops pass the vertex.
+/// A vertex type that the user wants on a face, wherever its loops pass the vertex; it makes the
+/// face a linking face.
 struct TypePick {
   FaceId face;
   VertexId vertex;

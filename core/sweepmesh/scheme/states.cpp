@@ -10,9 +10,8 @@ constexpr int state(Direction d) {
   return static_cast<int>(d);
 }
 
-double edge_cost(const ProblemEdge& edge, VertexType type, const AngleLimits& general) {
-  const AngleLimits limits = of_place(general, edge.is_rounded);
-  if (!is_edge_allowed(edge.least, edge.largest, type, limits)) return kImpossible;
+double edge_cost(const ProblemEdge& edge, VertexType type, const AngleLimits& limits) {
+  if (!is_edge_allowed(edge.least, edge.largest, edge.bend, type, limits)) return kImpossible;
   return angle_cost(edge.mean, type);
 }
 

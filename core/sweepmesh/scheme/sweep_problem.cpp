@@ -29,13 +29,17 @@ double lean(const Model& model, const Coedge& coedge, double step) {
   return model.normal(coedge.face, uv + move).dot(inward);
 }
 
-bool is_rounded(const Model& model, EdgeId id) {
-  constexpr double kStep = 0.02;      // of the edge's length
-  constexpr double kMinLean = 0.004;  // over that step: 0.2 radians over the edge's length
+Bend bend_of(double turn, double least) {
+  return turn > least ? Bend::outwards : turn < -least ? Bend::inwards : Bend::none;
+}
+
+Bend bend_at(const Model& model, EdgeId id) {
+  constexpr double kStep = 1e-4;    // of the edge's length: small against the radius of any fillet
+  constexpr double kMinTurn = 0.2;  // radians over the edge's length
   double sum = 0.0;
   for (const Coedge& coedge : model.coedges(id))
     sum += lean(model, coedge, kStep * model.length(id));
-  return sum > kMinLean;
+  return bend_of(sum, kStep * kMinTurn);
 }
 
 void measure(const Model& model, ProblemEdge& edge) {
@@ -51,19 +55,19 @@ void measure(const Model& model, ProblemEdge& edge) {
     edge.largest = std::max(edge.largest, angle);
     edge.mean += angle / kDihedralFractions.size();
   }
-  edge.is_rounded = is_rounded(model, edge.id);
+  edge.bend = bend_at(model, edge.id);
 }
 
-/// Whether the boundary turns left over the ends of two coedges that follow each other, the corner
-/// between them left out.
-bool turns_left(const Model& model, const Coedge& before, const Coedge& after) {
+/// How the boundary turns over the ends of two coedges that follow each other, the corner between
+/// them left out.
+Bend bend_between(const Model& model, const Coedge& before, const Coedge& after) {
   constexpr double kPart = 0.1;      // of each coedge
   constexpr double kMinTurn = 0.02;  // radians over that part
   const double turn =
       std::remainder(heading(model, before, 1.0) - heading(model, before, 1 - kPart),
                      4 * kQuarterTurn) +
       std::remainder(heading(model, after, kPart) - heading(model, after, 0.0), 4 * kQuarterTurn);
-  return turn > kMinTurn;
+  return bend_of(turn, kMinTurn);
 }
 
 void measure_direction(const Model& model, const Coedge& coedge, ProblemEdge& edge) {
@@ -114,7 +118,7 @@ void add_face(const Model& model, FaceId id, std::map<EdgeId, int>& edge_index, 
       c.angle = model.interior_angle(id, c.loop, c.place);
       c.heading = heading(model, coedge, 0.5);
       const Coedge& after = loops[l][(i + 1) % loops[l].size()];
-      c.is_rounded = after.edge.is_valid() && turns_left(model, coedge, after);
+      if (after.edge.is_valid()) c.bend = bend_between(model, coedge, after);
       c.length = model.length(coedge.edge);
       ProblemEdge& edge = out.edges[c.edge];
       if (edge.coedge[0] < 0) measure_direction(model, coedge, edge);

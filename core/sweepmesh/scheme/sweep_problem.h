@@ -9,6 +9,7 @@
 #include "sweepmesh/base/geometry.h"
 #include "sweepmesh/base/ids.h"
 #include "sweepmesh/model/model.h"
+#include "sweepmesh/scheme/limits.h"
 
 namespace sweepmesh {
 
@@ -22,7 +23,7 @@ struct ProblemCoedge {
   int partner = -1;          ///< the other use of the edge
   int start = -1, end = -1;  ///< vertices (VertexId::index), along the loop
   double angle = 0.0;        ///< interior angle of the face where this coedge ends, radians
-  bool is_rounded = false;   ///< the boundary bends outwards around that corner
+  Bend bend = Bend::none;    ///< of the loop around that corner
   double heading = 0.0;  ///< of the coedge's middle in the face's tangent plane, from d/du, radians
   double length = 0.0;
 };
@@ -48,9 +49,9 @@ struct ProblemEdge {
   /// Angle through the material, radians: the least, the mean and the largest along the edge.
   double least = 0.0, mean = 0.0, largest = 0.0;
   bool is_seam = false;
-  /// The faces bend away from each other's planes at the edge (both or together, outwards): where
-  /// the edge is tangent, a mesh made of chords still has an angle below 180 degrees there.
-  bool is_rounded = false;
+  /// How the faces bend from each other's planes at the edge, together: where an edge is tangent
+  /// and they bend outwards, a mesh made of chords still has an angle below 180 degrees there.
+  Bend bend = Bend::none;
   bool is_closed = false;         ///< starts and ends at one vertex
   Point3 chord = Point3::Zero();  ///< from the start to the end of coedge[0]
   /// Unit tangents along coedge[0], at the middles of equal parts of the curve's parameter range.

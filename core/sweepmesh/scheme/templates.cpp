@@ -1,6 +1,7 @@
 #include "sweepmesh/scheme/templates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sweepmesh/scheme/sweep_problem.h"
@@ -10,28 +11,45 @@ namespace sweepmesh {
 namespace {
 
 constexpr double kHalfTurn = 2 * kQuarterTurn;
+constexpr int kSamples = 24;
 
 /// A coedge with the corner where it ends.
 struct Side {
   EdgeId edge;
   VertexId end;
   double length = 0.0;
-  double turn = 0.0;  ///< of its tangent in the face, left positive
+  double heading = 0.0;                     ///< at its start
+  std::array<double, kSamples + 1> turned = {};  ///< of its tangent in the face, left positive, so far
   bool is_one_way = true;
   double angle = 0.0;  ///< interior angle at its end
+
+  double turn() const { return turned.back(); }
 };
 
+/// Fractions of the curve's parameter range at equal parts of a coedge's length, along the coedge.
+std::vector<double> even_fractions(const Model& model, const Coedge& coedge) {
+  std::vector<double> out;
+  for (int j = 0; j <= kSamples; ++j) out.push_back(static_cast<double>(j) / kSamples);
+  out = model.at_length_fractions(coedge.edge, out);
+  const auto [first, last] = model.range(coedge.edge);
+  for (double& t : out) t = (t - first) / (last - first);
+  if (!coedge.reversed) return out;
+  std::ranges::reverse(out);
+  for (double& t : out) t = 1 - t;
+  return out;
+}
+
 void measure_turn(const Model& model, const Coedge& coedge, Side& side) {
-  constexpr int kSamples = 24;
-  double before = heading(model, coedge, 0.0), most = 0.0, least = 0.0;
-  for (int j = 1; j <= kSamples; ++j) {
-    const double after = heading(model, coedge, static_cast<double>(j) / kSamples);
-    side.turn += std::remainder(after - before, 2 * kHalfTurn);
-    most = std::max(most, side.turn);
-    least = std::min(least, side.turn);
+  const std::vector<double> fractions = even_fractions(model, coedge);
+  double before = side.heading = heading(model, coedge, 0.0), turn = 0.0;
+  for (int j = 0; j <= kSamples; ++j) {
+    const double after = heading(model, coedge, fractions[j]);
+    turn += std::remainder(after - before, 2 * kHalfTurn);
+    side.turned[j] = turn;
     before = after;
   }
-  side.is_one_way = most - least < 1.1 * std::abs(side.turn);
+  const auto [least, most] = std::ranges::minmax(side.turned);
+  side.is_one_way = most - least < 1.1 * std::abs(turn);
 }
 
 std::vector<Side> sides_of(const Model& model, FaceId face, int loop) {
@@ -70,12 +88,12 @@ class LoopTemplates {
   std::size_t previous(std::size_t s) const { return (s + sides_.size() - 1) % sides_.size(); }
 
   bool turns(std::size_t s) const {
-    return sides_[s].is_one_way && std::abs(sides_[s].turn) > options_.tangent_tolerance;
+    return sides_[s].is_one_way && std::abs(sides_[s].turn()) > options_.tangent_tolerance;
   }
 
   /// Whether the turn goes on from a side into the next.
   bool goes_on(std::size_t s) const {
-    return turns(s) && turns(next(s)) && sides_[s].turn * sides_[next(s)].turn > 0 &&
+    return turns(s) && turns(next(s)) && sides_[s].turn() * sides_[next(s)].turn() > 0 &&
            std::abs(sides_[s].angle - kHalfTurn) < options_.tangent_tolerance;
   }
 
@@ -95,32 +113,57 @@ class LoopTemplates {
   }
 
   void add_round(std::size_t first, std::size_t count) {
-    double turn = 0.0, length = 0.0;
-    for (std::size_t j = 0, s = first; j < count; ++j, s = next(s)) {
-      turn += sides_[s].turn;
-      length += sides_[s].length;
-    }
+    double turn = 0.0;
+    for (std::size_t j = 0, s = first; j < count; ++j, s = next(s)) turn += sides_[s].turn();
     const int n = static_cast<int>(std::lround(std::abs(turn) / kQuarterTurn));
     if (n < 1 || n > 4 || std::abs(std::abs(turn) - n * kQuarterTurn) > options_.turn_tolerance)
       return;
-    for (int j = 0; j < n; ++j) add_turn(first, count, (j + 0.5) / n * length, turn / n);
+    const double begin = is_loop(first, count) && options_.frame ? half_way(first, turn) : 0.5;
+    for (int j = 0; j < n; ++j) add_turn(first, count, (j + begin) / n * std::abs(turn), turn / n);
   }
 
-  /// A virtual corner at a distance from the start of a run, or on a vertex of the run that is as
-  /// good as there.
-  void add_turn(std::size_t first, std::size_t count, double distance, double turn) {
+  bool is_loop(std::size_t first, std::size_t count) const {
+    return count == sides_.size() && goes_on((first + count - 1) % sides_.size());
+  }
+
+  /// Quarter turns from the start of a side to the first place half way between the directions of
+  /// the frame.
+  double half_way(std::size_t s, double turn) const {
+    const double wanted = *options_.frame + kQuarterTurn / 2 - sides_[s].heading;
+    const double turns = (turn > 0 ? wanted : -wanted) / kQuarterTurn;
+    return turns - std::floor(turns);
+  }
+
+  /// A virtual corner where a run has turned so far, or on a vertex of the run that is as good as
+  /// there.
+  void add_turn(std::size_t first, std::size_t count, double turned, double turn) {
     constexpr double kOnVertex = 0.05;  // of the side's length
-    double start = 0.0;
     for (std::size_t j = 0, s = first; j < count; ++j, s = next(s)) {
-      const double at = (distance - start) / sides_[s].length;
-      start += sides_[s].length;
-      if (at > 1 + kOnVertex) continue;
+      const double own = std::abs(sides_[s].turn());
+      if (turned > own && j + 1 < count) {
+        turned -= own;
+        continue;
+      }
+      const double at = fraction_at(sides_[s], turned);
       if (at > 1 - kOnVertex && j + 1 < count)
         sides_[s].angle = kHalfTurn - turn;
+      else if (at < kOnVertex && j > 0)
+        sides_[previous(s)].angle = kHalfTurn - turn;
       else
-        virtual_[s].push_back({{}, sides_[s].edge, std::min(at, 1.0), kHalfTurn - turn});
+        virtual_[s].push_back({{}, sides_[s].edge, at, kHalfTurn - turn});
       return;
     }
+  }
+
+  /// Fraction of a side's length at which it has turned so far.
+  static double fraction_at(const Side& side, double turned) {
+    for (int j = 1; j <= kSamples; ++j) {
+      const double before = std::abs(side.turned[j - 1]), after = std::abs(side.turned[j]);
+      if (after < turned) continue;
+      const double part = after > before ? (turned - before) / (after - before) : 0.0;
+      return (j - 1 + std::clamp(part, 0.0, 1.0)) / kSamples;
+    }
+    return 1.0;
   }
 
   /// Angles of 135 and 135 become 180, 90 and 180; angles of 225 and 225 become 180, 270 and 180.
@@ -163,11 +206,27 @@ FaceCorners face_corners(const Model& model, FaceId face) {
   return out;
 }
 
+std::optional<double> frame_of_straight_edges(const Model& model, FaceId face,
+                                              const TemplateOptions& options) {
+  Point2 sum = Point2::Zero();
+  for (std::size_t l = 0; l < model.loops(face).size(); ++l)
+    for (const Side& side : sides_of(model, face, static_cast<int>(l))) {
+      const auto [least, most] = std::ranges::minmax(side.turned);
+      if (most - least > options.tangent_tolerance) continue;
+      const double angle = 4 * (side.heading + side.turn() / 2);
+      sum += side.length * Point2(std::cos(angle), std::sin(angle));
+    }
+  if (sum.norm() <= model.tolerances().point) return {};
+  return std::atan2(sum.y(), sum.x()) / 4;
+}
+
 FaceCorners face_corners_with_templates(const Model& model, FaceId face,
                                         const TemplateOptions& options) {
+  TemplateOptions framed = options;
+  if (!framed.frame) framed.frame = frame_of_straight_edges(model, face, options);
   FaceCorners out;
   for (std::size_t l = 0; l < model.loops(face).size(); ++l)
-    out.push_back(LoopTemplates(sides_of(model, face, static_cast<int>(l)), options).corners());
+    out.push_back(LoopTemplates(sides_of(model, face, static_cast<int>(l)), framed).corners());
   return out;
 }
 

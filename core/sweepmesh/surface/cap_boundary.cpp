@@ -36,10 +36,8 @@ void append(const Model& model, const Coedge& c, const std::vector<NodeId>& node
 
 }  // namespace
 
-CapLoops cap_loops(const Model& model, FaceId face,
-                   const std::vector<std::vector<NodeId>>& edge_nodes,
-                   const std::vector<std::vector<double>>& edge_t) {
-  CapLoops out;
+std::vector<Loop> bounding_loops(const Model& model, FaceId face) {
+  std::vector<Loop> out;
   for (const Loop& loop : model.loops(face)) {
     std::vector<char> is_done(loop.size(), 0);
     for (int first = 0; first < static_cast<int>(loop.size()); ++first) {
@@ -47,10 +45,21 @@ CapLoops cap_loops(const Model& model, FaceId face,
       out.emplace_back();
       for (int i = first; !is_done[i]; i = next_in_boundary(loop, i)) {
         is_done[i] = 1;
-        const int e = loop[i].edge.index;
-        append(model, loop[i], edge_nodes[e], edge_t[e], out.back());
+        out.back().push_back(loop[i]);
       }
     }
+  }
+  return out;
+}
+
+CapLoops cap_loops(const Model& model, FaceId face,
+                   const std::vector<std::vector<NodeId>>& edge_nodes,
+                   const std::vector<std::vector<double>>& edge_t) {
+  CapLoops out;
+  for (const Loop& loop : bounding_loops(model, face)) {
+    out.emplace_back();
+    for (const Coedge& c : loop)
+      append(model, c, edge_nodes[c.edge.index], edge_t[c.edge.index], out.back());
   }
   return out;
 }

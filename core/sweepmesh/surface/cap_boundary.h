@@ -18,6 +18,10 @@ struct CapNode {
 /// the outer loop is of no importance: on a closed-around face there may be none.
 using CapLoops = std::vector<std::vector<CapNode>>;
 
+/// The coedges that bound a face, loop by loop: seams and poles are passed over, as they bound
+/// nothing. None for a closed surface.
+std::vector<Loop> bounding_loops(const Model& model, FaceId face);
+
 /// The loops of a whole CAD face, from the nodes of its edges: `edge_nodes[e]` and `edge_t[e]` are
 /// the nodes of edge e with their curve parameters, from the edge's start to its end, both
 /// included. Seams and poles bound nothing and are passed over: a cap's mesh may cross its own

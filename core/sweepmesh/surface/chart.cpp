@@ -37,7 +37,9 @@ std::set<Edge> boundary_edges(const std::vector<std::vector<int>>& loops) {
   return out;
 }
 
-/// Inside edges longer than `size`, longest first, no two of one triangle.
+/// Inside edges longer than `size`, longest first, no two of one triangle. An edge that is shorter
+/// than a boundary edge of its triangle is left: that one is not split, and only a sliver along it
+/// would result.
 std::vector<Edge> edges_to_split(const std::vector<Triangle>& triangles,
                                  const std::set<Edge>& boundary, const std::vector<Point3>& space,
                                  double size) {
@@ -47,12 +49,21 @@ std::vector<Edge> edges_to_split(const std::vector<Triangle>& triangles,
     int triangle;
   };
   std::vector<Candidate> all;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    constexpr double most_share = 1.25;  // of the size, what a long boundary edge may ask for
+    double least = size;
+    std::vector<Candidate> inside;
     for (int i = 0; i < 3; ++i) {
       const Edge e = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
       const double length = (space[e.first] - space[e.second]).norm();
-      if (length > size && !boundary.contains(e)) all.push_back({length, e, static_cast<int>(t)});
+      if (boundary.contains(e))
+        least = std::max(least, std::min(length, most_share * size));
+      else
+        inside.push_back({length, e, static_cast<int>(t)});
     }
+    for (const Candidate& c : inside)
+      if (c.length > least) all.push_back(c);
+  }
   std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
     return a.length != b.length ? a.length > b.length : a.edge < b.edge;
   });

@@ -44,7 +44,8 @@ void place(const Model& model, FaceId face, PlacedRegion& placed, const Context&
   if (quality.inverted.empty()) return;
   throw InvalidMeshError(stage,
                          "The structured grid of " + name_of(face) + " has " +
-                             std::to_string(quality.inverted.size()) + " inverted quads.",
+                             std::to_string(quality.inverted.size()) +
+                             " inverted quads; try a smaller element size.",
                          {name_of(face)}, quality.inverted);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/surface/cap_periods.h"
 
 namespace sweepmesh {
 namespace {
@@ -20,46 +21,21 @@ constexpr double full_turn = 2.0 * std::numbers::pi;
       {name_of(face)});
 }
 
-/// Periods of the parameters: the surface's, or what lies between the two sides of a seam.
-Point2 effective_periods(const Model& model, FaceId face) {
-  Point2 periods = model.periods(face);
-  for (const Loop& loop : model.loops(face))
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      for (std::size_t j = i + 1; j < loop.size() && loop[i].seam; ++j) {
-        if (loop[j].edge != loop[i].edge) continue;
-        const double t = 0.5 * (model.range(loop[i]).first + model.range(loop[i]).second);
-        const Point2 apart = (model.uv(loop[i], t) - model.uv(loop[j], t)).cwiseAbs();
-        const int axis = apart.x() > apart.y() ? 0 : 1;
-        if (periods[axis] == 0.0) periods[axis] = apart[axis];
-      }
-  return periods;
-}
-
-double nearest_period(double value, double reference, double period) {
-  return period > 0.0 ? value - period * std::round((value - reference) / period) : value;
-}
-
-Point2 nearest_period(const Point2& value, const Point2& reference, const Point2& periods) {
-  return {nearest_period(value.x(), reference.x(), periods.x()),
-          nearest_period(value.y(), reference.y(), periods.y())};
-}
-
-/// A loop's parameters without jumps, and how often it turns around each way.
-struct Unwrapped {
+UnwrappedLoop unwrapped(const std::vector<CapNode>& loop, const Point2& periods) {
   std::vector<Point2> uv;
-  Eigen::Vector2i turns = Eigen::Vector2i::Zero();
-};
+  for (const CapNode& node : loop) uv.push_back(node.uv);
+  return unwrapped_loop(uv, periods);
+}
 
-Unwrapped unwrapped(const std::vector<CapNode>& loop, const Point2& periods) {
-  Unwrapped out;
-  for (const CapNode& node : loop)
-    out.uv.push_back(out.uv.empty() ? node.uv : nearest_period(node.uv, out.uv.back(), periods));
-  const Point2 end = nearest_period(out.uv.front(), out.uv.back(), periods);
-  for (int axis = 0; axis < 2; ++axis)
-    if (periods[axis] > 0.0)
-      out.turns[axis] =
-          static_cast<int>(std::lround((end[axis] - out.uv.front()[axis]) / periods[axis]));
-  return out;
+/// Whether a loop reaches all around without closing there: a band that is cut from rim to rim.
+bool is_cut_open(const CapLoops& loops, const Point2& periods) {
+  constexpr double whole = 0.99;  // of a period
+  return std::any_of(loops.begin(), loops.end(), [&](const auto& loop) {
+    const UnwrappedLoop u = unwrapped(loop, periods);
+    Point2 low = u.uv.front(), high = low;
+    for (const Point2& p : u.uv) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    return ((high - low).array() >= whole * periods.array() && periods.array() > 0.0).any();
+  });
 }
 
 /// Mean lengths of the two derivatives over a few points of the face's bounds.
@@ -94,7 +70,7 @@ double line_length(const Model& model, FaceId face, int axis, double value) {
 ParameterPlane::ParameterPlane(const Model& model, FaceId face, const CapLoops& loops,
                                std::optional<int> outer)
     : model_(&model), face_(face) {
-  if (!model.is_planar(face)) periods_ = effective_periods(model, face);
+  if (!model.is_planar(face)) periods_ = closing_periods(model, face);
   if (model.is_planar(face))
     lay_planar(loops);
   else if (find_axis(loops, outer))
@@ -122,7 +98,7 @@ void ParameterPlane::lay_planar(const CapLoops& loops) {
 bool ParameterPlane::find_axis(const CapLoops& loops, std::optional<int> outer) {
   Eigen::Vector2i turning = Eigen::Vector2i::Zero(), sum = Eigen::Vector2i::Zero();
   for (const auto& loop : loops) {
-    const Unwrapped u = unwrapped(loop, periods_);
+    const UnwrappedLoop u = unwrapped(loop, periods_);
     turning += u.turns.cwiseAbs();
     sum += u.turns;
   }
@@ -143,6 +119,7 @@ bool ParameterPlane::find_axis(const CapLoops& loops, std::optional<int> outer) 
     }
   }
   if (turning.sum() == 0) {
+    if (is_cut_open(loops, periods_)) return false;
     if (pole) across_of_centre_ = along_v_ ? -*pole : *pole;
     return pole.has_value();
   }
@@ -195,7 +172,7 @@ void ParameterPlane::lay_polar(const CapLoops& loops) {
 void ParameterPlane::lay_scaled(const CapLoops& loops) {
   kind_ = Kind::scaled;
   scale_ = mean_lengths(*model_, face_);
-  std::vector<Unwrapped> all;
+  std::vector<UnwrappedLoop> all;
   int outer = -1;
   for (const auto& loop : loops) {
     all.push_back(unwrapped(loop, periods_));
@@ -205,7 +182,9 @@ void ParameterPlane::lay_scaled(const CapLoops& loops) {
   Point2 low = all[outer].uv[0], high = low;
   for (const Point2& p : all[outer].uv) low = low.cwiseMin(p), high = high.cwiseMax(p);
   for (auto& loop : all) {
-    const Point2 shift = nearest_period(loop.uv[0], 0.5 * (low + high), periods_) - loop.uv[0];
+    Point2 shift = Point2::Zero();
+    if (&loop != &all[outer])
+      shift = nearest_period(loop.uv[0], 0.5 * (low + high), periods_) - loop.uv[0];
     loops_.emplace_back();
     for (const Point2& p : loop.uv) loops_.back().push_back(scale_.cwiseProduct(p + shift));
   }

@@ -20,6 +20,8 @@ constexpr double poor = 0.2;
 /// Cells below this are raised at the cost of others.
 constexpr double worth_raising = 0.7;
 constexpr int rounds_to_compare = 2, rounds_to_finish = 6;
+/// Gain in quality (least and half the mean) for which one end is smoothed apart from the other.
+constexpr double worth_drifting = 0.1;
 
 using Complex = std::complex<double>;
 
@@ -173,7 +175,8 @@ class PairMesher {
     return pair;
   }
 
-  /// Smooths one end towards regular cells where that is better, and raises the worst cells.
+  /// Smooths one end towards regular cells where that is much better, and raises the worst cells.
+  /// What is smoothed alone drifts away from what lies over it, so it must be worth that.
   PlanarQuality settle(const PlanarMesh& cells, std::vector<Point2>& points,
                        const Metric& metric) const {
     const PlanarQuality before = quality(points, cells, metric);
@@ -181,7 +184,7 @@ class PairMesher {
     there.points = points;
     there = smoothed(there, metric, context_);
     const PlanarQuality after = quality(there.points, there, metric);
-    if (after.min + 0.5 * after.mean > before.min + 0.5 * before.mean)
+    if (after.min + 0.5 * after.mean > before.min + 0.5 * before.mean + worth_drifting)
       points = std::move(there.points);
     return raise(cells, points, rounds_to_compare, metric);
   }

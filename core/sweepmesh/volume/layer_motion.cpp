@@ -62,10 +62,28 @@ std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const std::vector<S
   return maps;
 }
 
-void set_blends(const std::vector<Slab>& slabs, const std::vector<SlabMotion>& motions,
-                const BaseMetric& metric, int column, MotionBlock& block) {
+/// Whether the map from the low end of each block to its high end says more of the motion than no
+/// map: loops that are small beside their caps say nothing of what lies far from them.
+std::vector<char> are_telling(const std::vector<std::vector<AffineMap>>& maps, const Extrusion& x,
+                              const Points& points, const LayerMotion& motion) {
+  constexpr double most_off = 0.5;  // of the way
+  std::vector<double> off(maps.size(), 0.0), way(maps.size(), 0.0);
+  for (int c = 0; c < x.n_columns(); ++c)
+    for (int i = motion.column_offset[c]; i < motion.column_offset[c + 1]; ++i) {
+      const int b = motion.column_blocks[i];
+      if (maps[b].empty()) continue;
+      const Point3 low = points.row(x.node(c, motion.blocks[b].k_low));
+      const Point3 high = points.row(x.node(c, motion.blocks[b].k_high));
+      off[b] += (maps[b].back()(low) - high).norm();
+      way[b] += (low - high).norm();
+    }
+  std::vector<char> out(maps.size());
+  for (std::size_t b = 0; b < out.size(); ++b) out[b] = off[b] <= most_off * way[b];
+  return out;
+}
+
+void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlock& block) {
   const int n = block.k_high - block.k_low;
-  std::vector<AffineMap> maps = chain(slabs, motions, block, column);
   block.has_loops = !maps.empty();
   if (!block.has_loops) maps.assign(n + 1, AffineMap());
   const AffineMap back = maps.back().inverse();
@@ -179,11 +197,19 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
   list_blocks_of_columns(extrusion, motion);
   const std::vector<Slab> slabs = find_slabs(extrusion, fixed);
   const std::vector<SlabMotion> motions = fit_slabs(extrusion, points, slabs);
+  std::vector<std::vector<AffineMap>> maps(motion.blocks.size());
+  std::vector<char> is_chained(motion.blocks.size(), 0);
   for (int c = 0; c < extrusion.n_cells(); ++c) {
-    MotionBlock& block = motion.blocks[motion.cell_block[c]];
-    if (block.blend.empty())
-      set_blends(slabs, motions, metric, extrusion.cell_columns[extrusion.cell_offset[c]], block);
+    const int b = motion.cell_block[c];
+    if (is_chained[b]) continue;
+    is_chained[b] = 1;
+    const int column = extrusion.cell_columns[extrusion.cell_offset[c]];
+    maps[b] = chain(slabs, motions, motion.blocks[b], column);
   }
+  const std::vector<char> is_telling = are_telling(maps, extrusion, points, motion);
+  for (std::size_t b = 0; b < maps.size(); ++b)
+    set_blends(metric, is_telling[b] ? std::move(maps[b]) : std::vector<AffineMap>(),
+               motion.blocks[b]);
   return motion;
 }
 

@@ -11,8 +11,8 @@
 //
 // Fit: least squares over the loops (thesis A.2). A planar loop says nothing of its normal; there
 // the normal goes to the normal of the image, scaled as the plane is (the vectors u of functional
-// H). Where loops are missing (no linking face) or collinear, the prediction is linear between the
-// two ends.
+// H). Where loops are missing (no linking face), collinear, or so small beside the caps that their
+// motion takes one end nowhere near the other, the prediction is linear between the two ends.
 #pragma once
 
 #include <vector>

@@ -136,6 +136,13 @@ double improve(const Extrusion& x, const std::vector<char>& fixed, const BaseMet
   return least;
 }
 
+/// Whether layers are only interpolated between their ends: they may be improved even where the
+/// boundary left no residual.
+bool is_interpolated(const LayerMotion& motion) {
+  return std::any_of(motion.blocks.begin(), motion.blocks.end(),
+                     [](const MotionBlock& b) { return !b.has_loops && b.k_high > b.k_low + 1; });
+}
+
 void set_quality(const ElementCheck& check, PlacementReport& report) {
   report.inverted = check.bad;
   report.min_scaled_jacobian = check.min_scaled_jacobian;
@@ -192,8 +199,9 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   const bool has_passed = choose_transitions(extrusion, fixed, metric, motion,
                                              {.negligible = negligible}, points, team, context);
   context.report(0.6, "Checking the elements");
-  mend_elements(extrusion, fixed, metric, options, has_passed || report.was_solved, points, report,
-                team, context);
+  // Where no residual was left, layers that follow loops are exact images of the caps and stay so.
+  const bool may_improve = has_passed || report.was_solved || is_interpolated(motion);
+  mend_elements(extrusion, fixed, metric, options, may_improve, points, report, team, context);
   context.report(1.0, "Interior nodes placed");
   return report;
 }

@@ -159,6 +159,7 @@ TEST(AssignIntervals, UsersCountsAndSizesOnEdges) {
         assign_intervals(c.model, c.scheme, {.size = 4.0, .edge_size = {{e, 0.5}}}, context);
     const Intervals plain = assign_intervals(c.model, c.scheme, {.size = 4.0}, context);
     EXPECT_GT(finer.edge[e.index], plain.edge[e.index]) << name_of(e);
+    EXPECT_NEAR(finer.edge[e.index], c.model.length(e) / 0.5, 1.5) << name_of(e);
     expect_consistent(c, finer);
   }
 }

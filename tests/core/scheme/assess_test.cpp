@@ -263,7 +263,7 @@ TEST(Assess, PickedVertexTypesHoldOrAreNamed) {
     if (!found.is_sweepable()) continue;
     for (const Scheme& scheme : found.schemes) {
       expect_valid_scheme(model, scheme);
-      if (scheme.face_role[five->index] != FaceRole::linking) continue;
+      EXPECT_EQ(scheme.face_role[five->index], FaceRole::linking);
       for (std::size_t i = 0; i < loop.size(); ++i)
         if (loop[i].end == c.end)
           n_reached += scheme.face[five->index].type[0][i] == VertexType::side;
@@ -281,6 +281,25 @@ TEST(Assess, PickedVertexTypesHoldOrAreNamed) {
   EXPECT_LT(refused.reasons.front().entities.size(), 2 * types.size());
   EXPECT_THROW(assessed(box, {{}, {}, {}, {{FaceId{0}, VertexId{99}, VertexType::end}}}),
                InputError);
+}
+
+TEST(Assess, VertexTypesThatContradictEachOtherAtOnceAreErrors) {
+  const Model box = test::box(1, 1, 1);
+  const FaceId face = box.faces().front();
+  const VertexId vertex = box.loops(face)[0][0].end;
+  const TypePick end{face, vertex, VertexType::end}, side{face, vertex, VertexType::side};
+  const auto sentence_of = [&](const Picks& picks) -> std::string {
+    try {
+      assessed(box, picks);
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.entities(), (std::vector{name_of(vertex), name_of(face)}));
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(sentence_of({{}, {}, {}, {end, side}}).find("as END and as SIDE"), std::string::npos);
+  EXPECT_NE(sentence_of({{face}, {}, {}, {end}}).find("source or target"), std::string::npos);
+  EXPECT_TRUE(assessed(box, {{}, {}, {}, {end, end}}).is_sweepable());
 }
 
 TEST(Assess, OpenBoundaryIsRefusedOnReading) {

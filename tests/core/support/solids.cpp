@@ -144,6 +144,27 @@ std::vector<NamedModel> many_to_one() {
       {"blind hole", to_model(cut(base, cylinder({20, 15, 4}, 8, 12)))}};
 }
 
+std::vector<NamedModel> drilled_across() {
+  const auto drill = [](const Point3& foot, const gp_Dir& way, double radius, double depth) {
+    const gp_Ax2 axis(gp_Pnt(foot.x(), foot.y(), foot.z()), way);
+    return BRepPrimAPI_MakeCylinder(axis, radius, depth).Shape();
+  };
+  const auto without = [](TopoDS_Shape shape, const std::vector<TopoDS_Shape>& drills) {
+    for (const TopoDS_Shape& tool : drills) shape = BRepAlgoAPI_Cut(shape, tool).Shape();
+    return to_model(shape);
+  };
+  const gp_Dir x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const TopoDS_Shape brick = block({0, 0, 0}, {60, 40, 50}), upright = drill({8, 20, 0}, z, 4, 50);
+  return {
+      {"three axes", without(brick, {drill({20, 0, 15}, y, 7, 40), drill({0, 20, 36}, x, 7, 60),
+                                     drill({45, 33, 0}, z, 4, 50)})},
+      {"shaft", without(cylinder({0, 0, 0}, 20, 80), {drill({-30, 0, 40}, x, 8, 60)})},
+      {"stepped hole",
+       without(brick, {upright, drill({32, 0, 25}, y, 6, 40), drill({32, 0, 25}, y, 10, 12)})},
+      {"blind hole", without(brick, {upright, drill({32, 0, 25}, y, 9, 20)})},
+  };
+}
+
 std::vector<NamedModel> unsweepable() {
   return {{"ball", to_model(BRepPrimAPI_MakeSphere(10).Shape())},
           {"ring torus", to_model(BRepPrimAPI_MakeTorus(20, 5).Shape())},

@@ -29,6 +29,10 @@ std::vector<NamedModel> many_to_one();
 /// What has no sweep: a ball, a ring torus, a box with a ball cut out of one corner.
 std::vector<NamedModel> unsweepable();
 
+/// Holes in linking faces, whatever is swept: a block drilled along three axes, a shaft with a
+/// cross bore, a block with a stepped and one with a blind hole across its upright hole.
+std::vector<NamedModel> drilled_across();
+
 Model box(double x, double y, double z);
 
 /// Two boxes of side 10, the second `gap` beyond the first along x: Face1 to Face6 and Face7 to

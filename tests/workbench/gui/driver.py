@@ -1,4 +1,5 @@
 """Mouse, pictures and bookkeeping for macros that test the GUI from inside FreeCAD."""
+import faulthandler
 import json
 import os
 import pathlib
@@ -19,12 +20,17 @@ results = {"checks": {}, "values": {}}
 
 def go(steps):
     """Run `steps` once FreeCAD is up; write results.json and end FreeCAD, whatever happens."""
+    seconds = float(os.environ.get("SWEEPMESH_TEST_SECONDS", 280))
+    faulthandler.dump_traceback_later(seconds, exit=True, file=open(OUT / "hang.txt", "w", encoding="utf-8"))
     QtCore.QTimer.singleShot(0, lambda: _run(steps))
 
 
 def _run(steps):
     try:
         main_window().resize(1280, 900)
+        for dock in main_window().findChildren(QtGui.QDockWidget):
+            if dock.objectName() in ("Python console", "Report view"):
+                dock.hide()
         FreeCADGui.activateWorkbench("SweepMeshWorkbench")
         steps()
     except BaseException:
@@ -35,8 +41,10 @@ def _run(steps):
 
 
 def check(name, truth):
-    """Note whether something is as it should be; the test outside reports what was not."""
-    results["checks"][name] = bool(truth)
+    """Note whether something is as it should be; the test outside reports what was not. A function is waited for."""
+    results["checks"][name] = bool(wait_for(truth) if callable(truth) else truth)
+    if not results["checks"][name]:
+        picture(f"failed_{len(results['checks'])}")
 
 
 def note(name, value):
@@ -82,6 +90,14 @@ def show_all(direction="Axonometric"):
     settle()
 
 
+def look_from(*direction):
+    """Look at everything from a direction in space; z points up."""
+    back, up = FreeCAD.Vector(*direction), FreeCAD.Vector(0, 0, 1)
+    view().setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(), up, back, "ZYX").Q)
+    view().fitAll()
+    settle()
+
+
 def click_point(point, key=NO_KEY):
     """Click with the left button on a point of space, as it appears in the 3D view."""
     canvas = _canvas()
@@ -93,11 +109,29 @@ def click_point(point, key=NO_KEY):
     settle(0.2)
 
 
+def click_edge(obj, name, part=0.5, key=NO_KEY):
+    """Click on an edge that can be seen, at this part of its length."""
+    edge = obj.Shape.getElement(name)
+    click_point(edge.valueAt(edge.getParameterByLength(part * edge.Length)), key)
+
+
+def click_vertex(obj, name, key=NO_KEY):
+    """Click on a vertex that can be seen."""
+    click_point(obj.Shape.getElement(name).Point, key)
+
+
 def click_face(obj, name, key=NO_KEY):
-    """Click on the middle of a face that can be seen."""
-    face = obj.Shape.getElement(name)
-    u0, u1, v0, v1 = face.ParameterRange
-    click_point(face.valueAt((u0 + u1) / 2, (v0 + v1) / 2), key)
+    """Click on a face that can be seen: where it is widest."""
+    points, triangles = obj.Shape.getElement(name).tessellate(0.01 * obj.Shape.BoundBox.DiagonalLength)
+    corners = max(([points[i] for i in three] for three in triangles), key=_narrowest)
+    click_point((corners[0] + corners[1] + corners[2]) * (1 / 3), key)
+
+
+def _narrowest(corners):
+    """The radius of the circle in a triangle."""
+    a, b, c = corners
+    area = (b - a).cross(c - a).Length / 2
+    return 2 * area / ((b - a).Length + (c - b).Length + (a - c).Length)
 
 
 def _canvas():
@@ -107,8 +141,19 @@ def _canvas():
     raise LookupError("There is no 3D view.")
 
 
+def reveal(field):
+    """Scroll the task panel until a widget of it can be seen."""
+    parent = field.parentWidget()
+    while parent is not None:
+        if isinstance(parent, QtGui.QScrollArea):
+            parent.ensureWidgetVisible(field, 0, 20)
+        parent = parent.parentWidget()
+
+
 def press(button):
-    """Click on a button of a panel or a toolbar, or on the box of a check box."""
+    """Click on a button of a panel or a toolbar, or on the box of a check box, once it can be pressed."""
+    wait_for(button.isEnabled, 10)
+    reveal(button)
     at = QtCore.QPoint(10, button.height() // 2) if isinstance(button, QtGui.QCheckBox) else QtCore.QPoint()
     QTest.mouseClick(button, LEFT, NO_KEY, at)
     settle()
@@ -139,6 +184,25 @@ def widget(name):
     raise LookupError(f"There is no widget '{name}'.")
 
 
+def choose(name, index):
+    """Choose an entry of a box by the keyboard, as QTest cannot see into the list that opens."""
+    box = widget(name)
+    reveal(box)
+    box.setFocus()
+    for _ in range(box.count()):
+        if box.currentIndex() != index:
+            QTest.keyClick(box, QtCore.Qt.Key_Down if box.currentIndex() < index else QtCore.Qt.Key_Up)
+    settle(0.1)
+
+
+def click_row(name, row, key=NO_KEY):
+    """Click on a row of a list of the panel."""
+    shown = widget(name)
+    reveal(shown)
+    QTest.mouseClick(shown.viewport(), LEFT, key, shown.visualItemRect(shown.item(row)).center())
+    settle(0.1)
+
+
 def is_shown(name):
     """Is there a widget of this name to be seen?"""
     return any(found.isVisible() for found in main_window().findChildren(QtGui.QWidget, name))
@@ -155,10 +219,66 @@ def rows(name):
 def type_into(name, text):
     """Replace what an input field holds, as a user does, and leave it."""
     field = widget(name)
+    reveal(field)
     field.setFocus()
     QTest.keyClick(field, QtCore.Qt.Key_A, CONTROL)
     QTest.keyClicks(field, text)
     QTest.keyClick(field, QtCore.Qt.Key_Tab)
+    settle(0.1)
+
+
+def double_click_in_tree(label):
+    """Double click on an object in the tree of the model."""
+    combo = next(tab for tab in main_window().findChildren(QtGui.QTabWidget) if tab.objectName() == "combiTab")
+    combo.setCurrentIndex(0)
+    settle(0.1)
+    for tree in main_window().findChildren(QtGui.QTreeWidget):
+        for item in tree.findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive) if tree.isVisible() else ():
+            tree.scrollToItem(item)
+            at = tree.visualItemRect(item).center()
+            QTest.mouseClick(tree.viewport(), LEFT, NO_KEY, at)
+            QTest.mouseDClick(tree.viewport(), LEFT, NO_KEY, at)
+            settle(0.2)
+            return
+    raise LookupError(f"There is no {label} in the tree.")
+
+
+def answer_file_dialog(command, path, name_filter="", wants_picture=False):
+    """Run a command of FreeCAD's that asks for a file, and name the file; the filter is the first with that text."""
+    asked = []
+
+    def answer():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if not isinstance(dialog, QtGui.QFileDialog):
+            if not asked and time.time() < give_up:
+                QtCore.QTimer.singleShot(50, answer)
+            return
+        asked.append(dialog)
+        chosen = [each for each in dialog.nameFilters() if name_filter in each]
+        dialog.selectNameFilter(chosen[0])
+        dialog.setDirectory(str(path.parent))
+        accept = dialog.findChild(QtGui.QDialogButtonBox).buttons()[0]
+        while dialog.isVisible() and time.time() < give_up:  # the dialog looks into the folder meanwhile
+            dialog.selectFile(str(path))
+            settle(0.2)
+            if wants_picture:
+                picture(f"dialog_{path.suffix[1:]}")
+            QTest.mouseClick(accept, LEFT)
+            settle(0.2)
+
+    give_up = time.time() + 60
+    QtCore.QTimer.singleShot(50, answer)
+    FreeCADGui.runCommand(command)
+    settle()
+    return bool(asked)
+
+
+def type_shortcut(command):
+    """Press the keys of one of FreeCAD's commands, once it can be used."""
+    action = FreeCADGui.Command.get(command).getAction()[0]
+    wait_for(action.isEnabled, 10)
+    keys = action.shortcut()[0]
+    QTest.keyClick(main_window(), QtCore.Qt.Key(keys & 0x01FFFFFF), QtCore.Qt.KeyboardModifiers(keys & 0xFE000000))
     settle(0.1)
 
 

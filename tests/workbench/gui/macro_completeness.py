@@ -77,7 +77,7 @@ def preferences_are_used():
     settings = panel.settings()
     note("settings", settings)
     check("a panel starts with them", settings["size"] == 1.3 and settings["order"] == 2)
-    check("and colours only if wished", not panel.form.showRoles.isChecked())
+    check("and colours only if wished", not panel.widgets.showRoles.isChecked())
     panel.reject()
     settle()
     gone = weakref.ref(panel)

@@ -8,10 +8,12 @@ import FreeCAD
 import FreeCADGui
 import Part
 from driver import (
-    check, go, is_panel_open, note, panel_button, picture, press, rows, settle, show_all, tool_button, type_into,
-    wait_for, widget,
+    check, go, is_panel_open, look_from, note, panel_button, picture, press, rows, settle, show_all, tool_button, type_into,
+    view, wait_for, widget,
 )
+from overlays import face_colours, letters, line_lengths, nodes, tick_points
 from pivy import coin
+from PySide import QtCore, QtGui
 
 
 def steps():
@@ -21,8 +23,8 @@ def steps():
     step.Shape = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 8, 0))
     document.recompute()
     show_all()
+    untouched = len(nodes(step, coin.SoNode))
     FreeCADGui.Selection.addSelection(step, facing(step, up=True) + facing(step, up=False))
-    settle(0.6)
     press(tool_button("Create sweep mesh"))
     check("the picks can be swept", wait_for(lambda: "can be swept" in widget("verdict").text()))
     check("two sources, one target", (len(rows("sources")), len(rows("targets"))) == (2, 1))
@@ -33,7 +35,7 @@ def steps():
     press(panel_button("Cancel"))
     wait_for(lambda: not is_panel_open())
     settle()
-    check("the panel takes its drawings away", letters(step) == [] and annotations(step) == 0)
+    check("the panel takes its drawings away", len(nodes(step, coin.SoNode)) == untouched)
     two_hundred_faces(document)
 
 
@@ -43,33 +45,28 @@ def facing(obj, up):
     return tuple(f"Face{i}" for i, face in enumerate(obj.Shape.Faces, 1) if face.normalAt(0.5, 0.5).z * side > 0.9)
 
 
-def found(obj, kind):
-    search = coin.SoSearchAction()
-    search.setType(kind.getClassTypeId())
-    search.setInterest(coin.SoSearchAction.ALL)
-    search.setSearchingAll(True)
-    search.apply(obj.ViewObject.RootNode)
-    paths = search.getPaths()
-    return [paths[i].getTail() for i in range(paths.getLength())]
-
-
-def letters(obj):
-    return sorted(node.string[0].getString().strip() for node in found(obj, coin.SoText2))
-
-
-def annotations(obj):
-    return len(found(obj, coin.SoAnnotation))
-
-
 def n_ticks(obj):
-    return sum(node.point.getNum() for node in found(obj, coin.SoCoordinate3))
+    return len(tick_points(obj))
 
 
-def redraw():
-    """Seconds that one picture takes: with software rendering most of a preview's time."""
-    start = time.time()
-    FreeCADGui.ActiveDocument.ActiveView.redraw()
-    return round(time.time() - start, 3)
+def n_pairs(obj, roles):
+    """How many faces are drawn in each colour that is no role's."""
+    others = [colour for colour in face_colours(obj) if colour not in roles]
+    return sorted(others.count(colour) for colour in set(others))
+
+
+def seconds_until_drawn(obj, layers):
+    """Seconds from a change of a setting to the picture that shows it: by the clock, and of this process alone."""
+    settle()
+    start, start_own = time.time(), time.process_time()
+    widget("layerCount").setValue(layers)
+    summary = widget("planSummary")  # is written when the plan is drawn
+    while not summary.text().startswith(f"{layers} ") and time.time() < start + 20:
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 5)
+        time.sleep(0.001)
+    view().redraw()
+    seconds = round(time.time() - start, 3), round(time.process_time() - start_own, 3)
+    return seconds if letters(obj).count(f"{layers}") == 200 else (20.0, 20.0)
 
 
 def switches(step):
@@ -82,6 +79,27 @@ def switches(step):
     press(widget("showIntervals"))
     check("intervals are drawn", wait_for(lambda: len(letters(step)) == len(step.Shape.Edges), 5))
     picture("03_intervals")
+    press(widget("showIntervals"))
+    check("and taken away, too", wait_for(lambda: letters(step) == [], 5))
+    roles = face_colours(step)
+    press(widget("showLevels"))
+    check("levels colour the caps", wait_for(lambda: len(set(face_colours(step)) - set(roles)) == 3, 5))
+    check("and number them", letters(step) == sorted(["0", "7", "17"]))
+    picture("06_levels")
+    press(widget("showLevels"))
+    check("roles come back", wait_for(lambda: face_colours(step) == roles, 5))
+    press(widget("showCurves"))
+    check("the imprinted curve is drawn", wait_for(lambda: line_lengths(step) == [8.0], 20))
+    press(widget("showPairs"))
+    check("paired patches have one colour", wait_for(lambda: n_pairs(step, roles) == [2, 2], 20))
+    check("as many pairs are told", "2" in widget("planSummary").text())
+    look_from(1, -1, -0.8)
+    picture("07_pairs")
+    show_all()
+    press(widget("showCurves"))
+    press(widget("showPairs"))
+    check("they go, too", wait_for(lambda: face_colours(step) == roles and line_lengths(step) == [], 5))
+    press(widget("showIntervals"))
 
 
 def settings(step):
@@ -112,11 +130,10 @@ def two_hundred_faces(document):
     wait_for(lambda: rows("sources"))
     widget("showIntervals").setChecked(True)
     wait_for(lambda: n_ticks(star) > 400, 20)
-    before, start = n_ticks(star), time.time()
-    widget("layerCount").setValue(9)
-    changed = wait_for(lambda: n_ticks(star) != before, 20)
-    note("seconds for 202 faces", {"until drawn": round(time.time() - start, 3), "redraw": redraw()})
-    check("a preview of 202 faces follows", changed)
+    seconds = [seconds_until_drawn(star, layers) for layers in (9, 8, 7, 9, 8)]
+    note("seconds until 202 faces are drawn (clock, process)", seconds)
+    # On a machine that does other things too the clock says little: that is noted, not judged.
+    check("a preview of 202 faces follows at once", min(own for _, own in seconds) < 0.25)
     picture("05_two_hundred_faces")
     press(panel_button("Cancel"))
     wait_for(lambda: not is_panel_open())

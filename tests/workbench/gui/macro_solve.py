@@ -1,4 +1,4 @@
-"""From a STEP file to a solved analysis without leaving the GUI: FreeCAD's own commands, and ours in their midst."""
+"""From a STEP file to a solved analysis and to files, without leaving the GUI: FreeCAD's commands, ours in their midst."""
 import os
 import pathlib
 import sys
@@ -8,97 +8,154 @@ import FreeCAD
 import FreeCADGui
 import Part
 from driver import (
-    OUT, check, click_face, go, is_panel_open, note, panel_button, picture, press, rows, settle, show_all, tool_button,
-    type_into, wait_for,
+    OUT, QtGui, answer_file_dialog, check, click_face, go, is_panel_open, is_shown, note, panel_button, picture, press, rows,
+    settle, show_all, tool_button, type_into, wait_for, widget,
 )
+
+FOLDER = pathlib.Path(OUT)
 
 
 def steps():
     document, pipe = import_step()
-    analysis = make_analysis(document, pipe)
-    mesh(document, analysis, pipe)
-    solve(document, analysis)
+    ends = [f"Face{i}" for i, face in enumerate(pipe.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomPlane"]
+    analysis = make_analysis(document, pipe, ends)
+    mesh(document, analysis, pipe, ends)
+    nodes_of_constraints(document, pipe, ends)
+    solve(document)
+    show_results(document)
+    export(document)
 
 
 def import_step():
-    path = pathlib.Path(OUT) / "pipe.step"
+    path = FOLDER / "pipe.step"
     outer, inner = (Part.makeTorus(60, r, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 0, 360, 90) for r in (10, 7))
     outer.cut(inner).Solids[0].exportStep(str(path))
     document = FreeCAD.newDocument("Pipe")
     document.UndoMode = 1
-    Part.insert(str(path), document.Name)
+    check("FreeCAD's dialog imports the STEP file", answer_file_dialog("Std_Import", path, "STEP"))
+    check("as a solid", lambda: [o for o in document.Objects if hasattr(o, "Shape") and o.Shape.Solids])
     show_all()
-    return document, document.Objects[0]
+    return document, next(o for o in document.Objects if hasattr(o, "Shape") and o.Shape.Solids)
 
 
-def make_analysis(document, pipe):
-    import FemGui
-    import ObjectsFem
-
-    ends = [f"Face{i}" for i, face in enumerate(pipe.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomPlane"]
-    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
-    solver = ObjectsFem.makeSolverCalculixCcxTools(document)
-    solver.WorkingDir = str(OUT)
-    steel = ObjectsFem.makeMaterialSolid(document)
-    steel.Material = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.3"}
-    fixed = ObjectsFem.makeConstraintFixed(document)
-    fixed.References = [(pipe, ends[0])]
-    load = ObjectsFem.makeConstraintForce(document)
-    load.References, load.Force = [(pipe, ends[1])], 500.0
-    for member in (solver, steel, fixed, load):
-        analysis.addObject(member)
-    FemGui.setActiveAnalysis(analysis)
-    document.recompute()
-    return analysis
+def make_analysis(document, pipe, ends):
+    FreeCADGui.activateWorkbench("FemWorkbench")
+    FreeCADGui.runCommand("FEM_Analysis")
+    wait_for(lambda: document.getObject("Analysis"))
+    FreeCADGui.runCommand("FEM_MaterialSolid")
+    wait_for(is_panel_open)
+    cards = widget("cb_materials")
+    cards.setCurrentIndex(next(i for i in range(cards.count()) if "CalculiX-Steel" in cards.itemText(i)))
+    cards.activated.emit(cards.currentIndex())
+    check("steel is chosen", "Steel" in cards.currentText())
+    press(panel_button("OK"))
+    wait_for(lambda: not is_panel_open())
+    constraint("FEM_ConstraintFixed", pipe, ends[0], "lw_references")
+    constraint("FEM_ConstraintForce", pipe, ends[1], "listReferences", ("spinForce", "500"))
+    check("the analysis is complete but for the mesh", len(document.Analysis.Group) == 4)
+    return document.Analysis
 
 
-def mesh(document, analysis, pipe):
-    FreeCADGui.activateWorkbench("SweepMeshWorkbench")
+def constraint(command, pipe, face, listed, value=None):
+    """Put a constraint of FreeCAD's on a face by clicking on it."""
+    look_at(pipe, face)
+    FreeCADGui.runCommand(command)
+    wait_for(lambda: is_shown("btnAdd"))
+    if value:
+        type_into(*value)
+    press(widget("btnAdd"))
+    click_face(pipe, face)
+    check(f"{command}: the face is listed", lambda: rows(listed) == [f"{pipe.Name}:{face}"])
+    press(panel_button("OK"))
+    wait_for(lambda: not is_panel_open())
+
+
+def look_at(obj, face):
+    """Turn the view so that a face looks at the user."""
+    normal = obj.Shape.getElement(face).normalAt(0, 0)
+    back, up = normal + FreeCAD.Vector(0.3, 0.3, 0.5), FreeCAD.Vector(0, 0, 1)
+    view = FreeCADGui.ActiveDocument.ActiveView
+    view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(), up, back, "ZYX").Q)
+    view.fitAll()
     settle()
-    end = next(f"Face{i}" for i, face in enumerate(pipe.Shape.Faces, 1) if face.normalAt(0, 0).y < -0.9)
-    FreeCADGui.Selection.addSelection(pipe, end)
-    settle(0.6)
+
+
+def mesh(document, analysis, pipe, ends):
+    FreeCADGui.activateWorkbench("SweepMeshWorkbench")
+    show_all()
+    FreeCADGui.Selection.clearSelection()
+    look_at(pipe, ends[0])
+    click_face(pipe, ends[0])
     press(tool_button("Create sweep mesh"))
-    check("the panel opens for the end", wait_for(lambda: rows("sources") == [end] and rows("targets")))
+    check("the panel opens for the end", lambda: rows("sources") == [ends[0]] and rows("targets") == [ends[1]])
     type_into("meshSize", "4 mm")
     picture("01_ends")
     press(panel_button("OK"))
-    check("the panel closes", wait_for(lambda: not is_panel_open(), 120))
+    check("the panel closes", lambda: not is_panel_open())
     made = document.SweepMesh
     note("hexahedra", made.Hexahedra)
     check("the mesh is in the active analysis", made in analysis.Group and made.isValid())
-    settle()
+    show_all()
     picture("02_mesh")
 
 
-def solve(document, analysis):
-    from femtools.ccxtools import FemToolsCcx
+def nodes_of_constraints(document, pipe, ends):
+    """What FreeCAD finds on a face of the solid is what the mesh has there, no more and no less."""
+    mesh = document.SweepMesh.FemMesh
+    for end in ends:
+        group = next(g for g in mesh.Groups if mesh.getGroupName(g) == f"{end}_Nodes")
+        face = pipe.Shape.getElement(end)
+        found = set(mesh.getNodesByFace(face))
+        check(f"{end}: constraints reach exactly its nodes", found == set(mesh.getGroupElements(group)) and found)
+        plane = face.Surface
+        on_plane = {n for n, p in mesh.Nodes.items() if abs((p - plane.Position).dot(plane.Axis)) < 1e-6}
+        check(f"{end}: those that lie on it", found == on_plane)
 
-    solver = next(m for m in analysis.Group if m.isDerivedFrom("Fem::FemSolverObject"))
-    tools = FemToolsCcx(analysis, solver, test_mode=False)
-    tools.update_objects()
-    tools.setup_working_dir(str(OUT))
-    tools.setup_ccx()
-    check("FreeCAD finds nothing missing", not tools.check_prerequisites())
-    tools.purge_results()
-    tools.write_inp_file()
-    check("CalculiX runs", tools.ccx_run() == 0)
-    tools.load_results()
+
+def solve(document):
+    solver = next(m for m in document.Analysis.Group if m.isDerivedFrom("Fem::FemSolverObject"))
+    FreeCADGui.activateWorkbench("FemWorkbench")
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(solver)
+    FreeCADGui.runCommand("FEM_SolverRun")
+    check("FreeCAD's command solves it", lambda: document.getObject("CCX_Results"))
     results = document.CCX_Results
     check("there are results at every node", len(results.NodeNumbers) == document.SweepMesh.Nodes)
     largest = max(vector.Length for vector in results.DisplacementVectors)
     note("largest displacement", largest)
     check("the pipe gives way a little", 0.0001 < largest < 1.0)
-    colour_results(document, results)
-    picture("03_results")
 
 
-def colour_results(document, results):
-    shown = results.Mesh.ViewObject
-    shown.setNodeColorByScalars(results.NodeNumbers, [vector.Length for vector in results.DisplacementVectors])
+def show_results(document):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(document.CCX_Results)
+    FreeCADGui.runCommand("FEM_ResultShow")
+    check("FreeCAD shows the results", lambda: _stress_button())
     document.SweepMesh.ViewObject.Visibility = False
-    shown.Visibility = True
-    settle()
+    press(_stress_button())
+    show_all()
+    picture("03_results")
+    FreeCADGui.Control.closeDialog()
+
+
+def _stress_button():
+    buttons = FreeCADGui.getMainWindow().findChildren(QtGui.QRadioButton)
+    return next((b for b in buttons if b.isVisible() and "Mises" in b.text()), None)
+
+
+def export(document):
+    import Fem
+
+    mesh = document.SweepMesh
+    for suffix, text in ((".unv", "unv"), (".inp", "inp"), (".med", "med")):
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(mesh)
+        path = FOLDER / f"exported{suffix}"
+        path.unlink(missing_ok=True)
+        check(f"{suffix}: FreeCAD's dialog asks for a file", answer_file_dialog("Std_Export", path, text))
+        check(f"{suffix}: it is written", path.exists)
+        again = Fem.read(str(path)) if path.exists() else Fem.FemMesh()
+        check(f"{suffix}: with all elements", again.HexaCount == mesh.Hexahedra)
 
 
 go(steps)

@@ -18,6 +18,7 @@ _USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParamGroup Name="Mod">
  <FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup>
 </FCParamGroup>
+<FCParamGroup Name="Dialog"><FCBool Name="DontUseNativeFileDialog" Value="1"/></FCParamGroup>
 <FCParamGroup Name="View"><FCBool Name="ShowNaviCube" Value="0"/></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
@@ -98,4 +99,4 @@ def _environment(home, folder, display, extra):
 
 
 if __name__ == "__main__":
-    print(json.dumps(run(sys.argv[1], ROOT / "build" / "gui" / pathlib.Path(sys.argv[1]).stem), indent=1))
+    print(json.dumps(run(sys.argv[1], ROOT / "build" / "gui" / pathlib.Path(sys.argv[1]).stem[len("macro_") :]), indent=1))

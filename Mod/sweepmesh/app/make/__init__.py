@@ -1,4 +1,5 @@
 """Functions that make document objects."""
+from sweepmesh.app.make.make_imprint import make_imprint
 from sweepmesh.app.make.make_sweep import make_sweep_mesh, update_sweep_mesh
 
-__all__ = ["make_sweep_mesh", "update_sweep_mesh"]
+__all__ = ["make_imprint", "make_sweep_mesh", "update_sweep_mesh"]

@@ -1,4 +1,5 @@
 """Make a sweep mesh in a document, and change it."""
+from sweepmesh.app import overrides
 from sweepmesh.app.objects.sweep import ORDERS, Sweep
 from sweepmesh.app.stages import options_for
 from sweepmesh.app.views import attach_view
@@ -9,6 +10,7 @@ _PROPERTIES = {
     "element": "Element",
     "solid": "Solid",
     "max_elements": "MaxElements",
+    "imprint_tolerance": "ImprintTolerance",
 }
 
 
@@ -56,5 +58,9 @@ def set_option(obj, name, value):
         obj.Pairs = [f"Face{source}=Face{target}" for source, target in value]
     elif name == "order":
         obj.Order = ORDERS[value - 1]
+    elif name in overrides.PROPERTIES:
+        setattr(obj, overrides.PROPERTIES[name], overrides.to_texts(value))
+    elif name == "sweep_bias":
+        obj.SweepBias, obj.SweepBiasBoth = value or (1.0, False)
     elif name != "threads":
         setattr(obj, _PROPERTIES[name], value or 0)

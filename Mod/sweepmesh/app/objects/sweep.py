@@ -1,6 +1,6 @@
 """The sweep mesh as a document object: settings, links to the shape and its faces, the mesh, the report."""
 from sweepmesh import engine
-from sweepmesh.app import preferences
+from sweepmesh.app import overrides, preferences
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.app.kept_meshes import KeptMeshes
 from sweepmesh.app.objects.base import EDITABLE, HIDDEN, READ_ONLY, Property, Proxy, in_group
@@ -27,6 +27,7 @@ TABLE = (
             "Which solid of the shape is meshed; 0: all of them",
             (0, 0, 2**31 - 1, 1),
         ),
+        Property("App::PropertyStringList", "VertexTypes", "How linking faces turn at vertices: Face3:Vertex7=corner"),
         Property("App::PropertyLink", "Part", "The shape, under the name that older FreeCADs look for", mode=HIDDEN),
     ),
     *in_group(
@@ -34,6 +35,12 @@ TABLE = (
         EDITABLE,
         Property("App::PropertyLength", "Size", "Wished edge length; 0: chosen from the volume"),
         Property("App::PropertyIntegerConstraint", "Layers", "Number of layers; 0: from the size", (0, 0, 100000, 1)),
+        Property("App::PropertyStringList", "EdgeCounts", "Exact numbers of mesh edges on edges: Edge5=12"),
+        Property("App::PropertyStringList", "EdgeSizes", "Wished edge lengths on edges: Edge5=0.8"),
+        Property("App::PropertyStringList", "EdgeBiases", "How mesh edges grow along edges: Edge5=1.2, Edge5=1.2 both"),
+        Property("App::PropertyFloat", "SweepBias", "How mesh edges grow along the sweep; 1: not at all", 1.0),
+        Property("App::PropertyBool", "SweepBiasBoth", "They grow from both ends to the middle"),
+        Property("App::PropertyLength", "ImprintTolerance", "Nearer curves of caps become one; 0: from the size"),
         Property("App::PropertyEnumeration", "Element", "What the mesh is made of", "hex", ELEMENTS),
         Property("App::PropertyEnumeration", "Order", "Order of the elements", "1st", ORDERS),
         Property(
@@ -131,6 +138,11 @@ def options_of(obj):
     options.targets = face_numbers(obj, "Targets")
     options.pairs = [_pair(text) for text in obj.Pairs]
     options.solid = obj.Solid or None
+    for name, texts in overrides.PROPERTIES.items():
+        setattr(options, name, overrides.from_texts(name, getattr(obj, texts)))
+    if obj.SweepBias != 1.0:
+        options.sweep_bias = obj.SweepBias, obj.SweepBiasBoth
+    options.imprint_tolerance = obj.ImprintTolerance.Value or None
     if obj.MaxElements:
         options.max_elements = obj.MaxElements
     return options

@@ -1,17 +1,18 @@
-"""Faces of a shape coloured by what they are in the sweep."""
+"""Faces of a shape in colours that say something: what they are in the sweep, for one."""
 from pivy import coin
 
 COLOURS = {
     "source": (1.0, 0.55, 0.15),
     "target": (0.20, 0.50, 1.0),
     "linking": (0.80, 0.86, 0.68),
+    "divided": (0.85, 0.70, 0.55),
 }
 _GLOW = 0.2  # part of the colour that needs no light, so that it can be told from all sides
 _BETWEEN = 0.5  # polygon offset: before the shape's faces (1), behind its edges (0)
 _DEVIATION = 0.002  # of the facets, as part of the shape's diagonal; for drawing only
 
 
-class RoleOverlay:
+class FaceOverlay:
     """Draws coloured faces over a document object's own; the object is not changed."""
 
     def __init__(self, obj):
@@ -21,13 +22,14 @@ class RoleOverlay:
         for name, facets in _facets_of_faces(obj).items():
             self._faces[name] = _Face(facets)
             self._separator.addChild(self._faces[name].switch)
-        self._roles, self._uncovered = {}, ()
+        self._colours, self._uncovered = {}, ()
         self._root.addChild(self._separator)
 
-    def set_roles(self, roles):
-        """Colour the faces of {"Face1": "source", ...}; a face without a role keeps its own colour."""
-        self._roles = dict(roles)
-        self._draw()
+    def set_colours(self, colours):
+        """Colour the faces of {"Face1": (r, g, b), ...}; others keep their own colours."""
+        if colours != self._colours:
+            self._colours = dict(colours)
+            self._draw()
 
     def uncover(self, names):
         """Leave these faces to the shape's own colours: FreeCAD shows there what is selected."""
@@ -42,7 +44,7 @@ class RoleOverlay:
 
     def _draw(self):
         for name, face in self._faces.items():
-            face.show(None if name in self._uncovered else COLOURS.get(self._roles.get(name)))
+            face.show(None if name in self._uncovered else self._colours.get(name))
 
 
 class _Face:

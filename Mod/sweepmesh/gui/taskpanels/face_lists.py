@@ -1,9 +1,8 @@
 """The lists of sources and targets of a panel, and picking them in the 3D view."""
-import FreeCADGui
 from PySide import QtCore, QtGui
 
 from sweepmesh.app.stages import faces_with
-from sweepmesh.gui.selection import FaceGate
+from sweepmesh.gui.selection import Gate
 
 ROLES = ("source", "target")
 
@@ -12,34 +11,26 @@ class FaceLists(QtCore.QObject):
     """Picked and proposed sources and targets. Picks are upright, proposals in italics.
 
     While one of the buttons is down, a click on a face picks it, and a second click unpicks it. Otherwise the
-    lists and the selection in the 3D view follow each other. `changed` says that the picks have changed,
-    `selected` which faces of the shape are selected now.
+    lists and the selection in the 3D view follow each other. `changed` says that the picks have changed.
     """
 
     changed = QtCore.Signal()
-    selected = QtCore.Signal(list)
 
-    def __init__(self, form, obj):
+    def __init__(self, form, obj, picking):
         super().__init__()
-        self._obj = obj
+        self._picking = picking
         self._lists = {"source": form.sources, "target": form.targets}
-        self._buttons = {"source": form.pickSources, "target": form.pickTargets}
-        self._is_selecting = False
         self._pair_rows = form.pairs
         self.picks = {role: [] for role in ROLES}
         self.pairs = []
-        form.pickSources.toggled.connect(self._pick_sources)
-        form.pickTargets.toggled.connect(self._pick_targets)
+        picking.add(form.pickSources, Gate(obj, "Face"), self.take_source)
+        picking.add(form.pickTargets, Gate(obj, "Face"), self.take_target)
+        picking.clicked.connect(self._mark_rows)
         for rows in self._lists.values():
             rows.itemSelectionChanged.connect(self._select_rows)
         form.removeFaces.clicked.connect(self._remove_rows)
         form.swapFaces.clicked.connect(self.swap)
         form.pairFaces.clicked.connect(self._pair_rows_marked)
-        FreeCADGui.Selection.addObserver(self)
-
-    def close(self):
-        FreeCADGui.Selection.removeObserver(self)
-        FreeCADGui.Selection.removeSelectionGate()
 
     def set_picks(self, sources, targets, pairs=()):
         """Replace all picks by names of faces, and all prescribed pairs (source, target)."""
@@ -78,62 +69,20 @@ class FaceLists(QtCore.QObject):
             self.picks[role].append(name)
         self.changed.emit()
 
-    def addSelection(self, document, obj, sub, point):
-        """FreeCAD calls this when something was selected in the 3D view or in the tree."""
-        self._tell_selected()
-        is_own = (document, obj) == (self._obj.Document.Name, self._obj.Name)
-        if self._is_selecting or not is_own or not sub.startswith("Face"):
-            return
-        role = self._picking_role()
-        if role:
-            self.toggle(role, sub)
-            QtCore.QTimer.singleShot(0, FreeCADGui.Selection.clearSelection)
-        else:
-            self._mark_rows(sub)
+    def take_source(self, name, _point):
+        """A face was clicked while sources are picked."""
+        self.toggle("source", name)
 
-    def removeSelection(self, document, obj, sub):
-        """FreeCAD calls this when something is selected no more."""
-        self._tell_selected()
-
-    def clearSelection(self, document):
-        """FreeCAD calls this when nothing is selected any more."""
-        self.selected.emit([])
-
-    def _tell_selected(self):
-        chosen = FreeCADGui.Selection.getSelectionEx(self._obj.Document.Name)
-        self.selected.emit([name for one in chosen if one.Object == self._obj for name in one.SubElementNames])
-
-    def _picking_role(self):
-        return next((role for role in ROLES if self._buttons[role].isChecked()), None)
-
-    # Slots are methods, never lambdas: those would keep panel and widgets alive in Python after FreeCAD has deleted
-    # the widgets, and a new widget at the old address would be taken for the old one.
-    def _pick_sources(self, down):
-        self._set_picking("source", down)
-
-    def _pick_targets(self, down):
-        self._set_picking("target", down)
-
-    def _set_picking(self, role, down):
-        other = ROLES[1 - ROLES.index(role)]
-        if down:
-            self._buttons[other].setChecked(False)
-            FreeCADGui.Selection.clearSelection()
-            FreeCADGui.Selection.addSelectionGate(FaceGate(self._obj))
-        elif not self._buttons[other].isChecked():
-            FreeCADGui.Selection.removeSelectionGate()
+    def take_target(self, name, _point):
+        """A face was clicked while targets are picked."""
+        self.toggle("target", name)
 
     def _shown(self, role):
         rows = self._lists[role]
         return [rows.item(i).text() for i in range(rows.count())]
 
     def _select_rows(self):
-        names = [name for each in ROLES for name in self._marked(each)]
-        self._is_selecting = True
-        FreeCADGui.Selection.clearSelection()
-        for name in names:
-            FreeCADGui.Selection.addSelection(self._obj, name)
-        self._is_selecting = False
+        self._picking.select([name for each in ROLES for name in self._marked(each)])
 
     def _mark_rows(self, name):
         for rows in self._lists.values():

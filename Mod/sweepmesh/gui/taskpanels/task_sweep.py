@@ -4,18 +4,22 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from sweepmesh import engine
-from sweepmesh.app import preferences
+from sweepmesh.app import overrides, preferences
 from sweepmesh.app.objects.sweep import options_of
 from sweepmesh.app.remembered import remember
 from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
 from sweepmesh.gui import recorder
-from sweepmesh.gui.resources import icon, load_form, tr
+from sweepmesh.gui.read_models import ReadModels
+from sweepmesh.gui.resources import Widgets, icon, load_form, tr
 from sweepmesh.gui.runner import STOP_SECONDS, Runner
 from sweepmesh.gui.taskpanels.face_lists import FaceLists
+from sweepmesh.gui.taskpanels.overrides import Overrides
+from sweepmesh.gui.taskpanels.picking import Picking
 from sweepmesh.gui.taskpanels.previews import Previews
 
 ELEMENTS = ("hex", "prism")  # what FreeCAD's FEM meshes hold
+FORMS = {"Sweep": "Sweep", "Overrides": "Overrides", "Preview": "Roles"}  # and their icons
 
 
 class SweepPanel:
@@ -27,24 +31,29 @@ class SweepPanel:
 
     def __init__(self, shape, faces=(), mesh=None):
         self._shape, self._mesh, self._document_name = shape, mesh, shape.Document.Name
-        self._schemes = []
-        self.form = load_form("Sweep")
-        self.form.setWindowTitle(tr("Sweep mesh"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("Sweep")))
-        self._faces = FaceLists(self.form, shape)
-        self._previews = Previews(self.form, shape, self._task)
+        self._schemes, self._is_plan_refused = [], False
+        self.form = [load_form(name) for name in FORMS]  # FreeCAD shows each as a box that can be folded
+        for form, name in zip(self.form, FORMS):
+            form.setWindowIcon(QtGui.QIcon(icon(FORMS[name])))
+        self.widgets = Widgets(self.form)
+        self._picking, self._models = Picking(shape), ReadModels()
+        self._faces = FaceLists(self.widgets, shape, self._picking)
+        self._overrides = Overrides(self.widgets, shape, self._picking)
+        self._previews = Previews(self.widgets, shape, self._task, self._models, self._overrides.names)
         self._assessor, self._mesher = Runner(), Runner()
         self._connect()
         self.load(faces)
         self._is_open = True
+        self._visible = self._show_solid()
         FreeCAD.addDocumentObserver(self)
 
     # --- settings -------------------------------------------------------------------------------------
 
     def load(self, faces):
         """Show the settings of the mesh object, or those to start with."""
-        form = self.form
+        form = self.widgets
         form.shapeName.setText(self._shape.Label)
+        form.shapeName.setToolTip(self._shape.Label)
         form.showRoles.setChecked(preferences.colour_faces())
         stored = self._stored_options()
         options = stored or self._first_options()
@@ -53,6 +62,11 @@ class SweepPanel:
         form.layerCount.setValue(options.layers or 0)
         form.elementKind.setCurrentIndex(ELEMENTS.index(options.element) if options.element in ELEMENTS else 0)
         form.elementOrder.setCurrentIndex(options.order - 1)
+        form.imprintTolerance.setProperty("rawValue", options.imprint_tolerance or 0.0)
+        ratio, is_symmetric = options.sweep_bias or (1.0, False)
+        form.sweepRatio.setValue(ratio)
+        form.sweepBoth.setChecked(is_symmetric)
+        self._overrides.set(options.size, _named(options))
         if stored:
             picks = _names(options.sources), _names(options.targets), [tuple(_names(pair)) for pair in options.pairs]
         else:
@@ -73,7 +87,8 @@ class SweepPanel:
 
     def settings(self):
         """Return the settings of the form by the names that `make_sweep_mesh` takes."""
-        form = self.form
+        form = self.widgets
+        ratio = round(form.sweepRatio.value(), 6)
         return {
             "size": form.meshSize.property("rawValue") or None,
             "layers": form.layerCount.value() or None,
@@ -82,17 +97,28 @@ class SweepPanel:
             "sources": list(self._faces.picks["source"]),
             "targets": list(self._faces.picks["target"]),
             "pairs": list(self._faces.pairs),
+            "sweep_bias": None if ratio == 1.0 else (ratio, form.sweepBoth.isChecked()),
+            "imprint_tolerance": form.imprintTolerance.property("rawValue") or None,
+            **self._overrides.settings(),
         }
 
     def _connect(self):
-        form = self.form
+        form = self.widgets
         form.elementKind.addItems([tr("Hexahedra"), tr("Prisms")])
         form.elementOrder.addItems([tr("First"), tr("Second")])
         self._faces.changed.connect(self.assess)
-        self._faces.selected.connect(self._previews.uncover)
+        self._overrides.changed.connect(self._previews.update)
+        self._overrides.types_changed.connect(self.assess)
+        self._overrides.started.connect(self._show_what_is_picked)
+        self._picking.selected.connect(self._previews.uncover)
+        self._previews.planned.connect(self._show_plan)
+        self._previews.failed.connect(self._show_plan_error)
         form.propose.clicked.connect(self._propose)
         form.schemes.activated.connect(self._choose_scheme)
-        QtCore.QObject.connect(form.meshSize, QtCore.SIGNAL("valueChanged(double)"), self._previews.update)
+        for length in (form.meshSize, form.imprintTolerance):
+            QtCore.QObject.connect(length, QtCore.SIGNAL("valueChanged(double)"), self._previews.update)
+        form.sweepRatio.valueChanged.connect(self._previews.update)
+        form.sweepBoth.toggled.connect(self._previews.update)
         form.layerCount.valueChanged.connect(self._previews.update)
         form.elementKind.currentIndexChanged.connect(self._previews.update)
         form.reasons.itemSelectionChanged.connect(self._select_entities)
@@ -109,24 +135,26 @@ class SweepPanel:
     def assess(self):
         """Start to find out what the picks make of the solid."""
         self._faces.show_roles({})
-        self.form.verdict.setText(tr("Looking for sources and targets ..."))
+        self._overrides.set_caps([*self._faces.picks["source"], *self._faces.picks["target"]])
+        self.widgets.verdict.setText(tr("Looking for sources and targets ..."))
         try:
             brep, options = self._task()
         except engine.SweepMeshError as error:
             self._show_error(error)
             return
-        self._assessor.start(lambda progress: engine.assess(brep, options, progress))
+        use = self._models.use
+        self._assessor.start(lambda progress: use(brep, lambda model: engine.assess(model, options, progress)))
 
     def _show_assessment(self, assessment):
-        self._schemes = assessment.schemes
+        self._schemes, self._is_plan_refused = assessment.schemes, False
         self._faces.show_roles(assessment.roles)
         self._previews.set_roles(assessment.roles)
         self._show_reasons([(reason.text, reason.entities) for reason in assessment.reasons])
         is_sweepable = assessment.verdict == "sweepable"
-        self.form.verdict.setText(tr("The solid can be swept.") if is_sweepable else tr("The solid cannot be swept."))
-        self.form.schemes.clear()
-        self.form.schemes.addItems([_scheme_text(scheme) for scheme in self._schemes])
-        self.form.schemes.setVisible(len(self._schemes) > 1)
+        self.widgets.verdict.setText(tr("The solid can be swept.") if is_sweepable else tr("The solid cannot be swept."))
+        self.widgets.schemes.clear()
+        self.widgets.schemes.addItems([_scheme_text(scheme) for scheme in self._schemes])
+        self.widgets.schemes.setVisible(len(self._schemes) > 1)
 
     def _propose(self):
         self._faces.set_picks([], [])
@@ -135,24 +163,40 @@ class SweepPanel:
         scheme = self._schemes[index]
         self._faces.set_picks(faces_with(scheme, "source"), faces_with(scheme, "target"))
 
+    def _show_plan(self, plan):
+        """The settings can be met: what was said against them is settled."""
+        if self._is_plan_refused:
+            self._is_plan_refused = False
+            self.widgets.verdict.setText(tr("The solid can be swept."))
+            self._show_reasons([])
+
+    def _show_plan_error(self, error):
+        self._is_plan_refused = True
+        self.widgets.verdict.setText(tr("The solid can be swept, but not with these settings:"))
+        self._show_reasons([(str(error), list(getattr(error, "entities", ())))])
+
+    def _show_what_is_picked(self, setting):
+        switch = self.widgets.showTypes if setting == "vertex_types" else self.widgets.showIntervals
+        switch.setChecked(True)
+
     def _show_error(self, error):
         self._schemes = []
         self._previews.set_roles({})
-        self.form.verdict.setText(tr("No mesh can be made:"))
+        self.widgets.verdict.setText(tr("No mesh can be made:"))
         self._show_reasons([(str(error), list(getattr(error, "entities", ())))])
 
     def _show_reasons(self, reasons):
-        self.form.reasons.clear()
+        self.widgets.reasons.clear()
         for text, entities in reasons:
             item = QtGui.QListWidgetItem(text)
             item.setToolTip(", ".join(entities))
             item.setData(QtCore.Qt.UserRole, list(entities))
-            self.form.reasons.addItem(item)
-        self.form.reasons.setVisible(bool(reasons))
+            self.widgets.reasons.addItem(item)
+        self.widgets.reasons.setVisible(bool(reasons))
 
     def _select_entities(self):
         FreeCADGui.Selection.clearSelection()
-        for item in self.form.reasons.selectedItems():
+        for item in self.widgets.reasons.selectedItems():
             for entity in item.data(QtCore.Qt.UserRole):
                 FreeCADGui.Selection.addSelection(self._shape, entity)
 
@@ -181,18 +225,18 @@ class SweepPanel:
         return brep_of(self._shape), options_for(self._shape, **settings)
 
     def _show_running(self, is_running):
-        for name in ("facesBox", "meshBox"):
-            getattr(self.form, name).setEnabled(not is_running)
-        self.form.running.setVisible(is_running)
+        for name in ("facesBox", "meshBox", "SweepMeshOverrides"):
+            getattr(self.widgets, name).setEnabled(not is_running)
+        self.widgets.running.setVisible(is_running)
 
     def _show_progress(self, fraction, message):
-        self.form.progress.setValue(round(100 * fraction))
-        self.form.progress.setFormat(f"{message} %p %" if message else "%p %")
+        self.widgets.progress.setValue(round(100 * fraction))
+        self.widgets.progress.setFormat(f"{message} %p %" if message else "%p %")
 
     def _mesh_failed(self, error):
         self._show_running(False)
         if isinstance(error, engine.Cancelled):
-            self.form.verdict.setText(tr("The run was cancelled; nothing was changed."))
+            self.widgets.verdict.setText(tr("The run was cancelled; nothing was changed."))
         else:
             self._show_error(error)
 
@@ -204,6 +248,8 @@ class SweepPanel:
             return
         remember(brep, options, result)
         title, lines = self._lines()
+        self._restore_visibility()
+        self._visible = []
         recorder.run(self._shape.Document, title, lines)
         self._close()
 
@@ -225,15 +271,29 @@ class SweepPanel:
             lines.append(f"{shape}.Visibility = False")
         return tr("Create sweep mesh"), lines
 
+    def _show_solid(self):
+        """Show the solid, and hide the mesh that is edited. Return what was visible before."""
+        objects = [self._shape, self._mesh] if self._mesh else [self._shape]
+        before = [(obj, obj.ViewObject.Visibility) for obj in objects]
+        for obj in objects:
+            obj.ViewObject.Visibility = obj == self._shape
+        return before
+
+    def _restore_visibility(self):
+        for obj, was_visible in self._visible:
+            if _is_alive(obj):
+                obj.ViewObject.Visibility = was_visible
+
     # --- the end --------------------------------------------------------------------------------------
 
     def _close(self):
         """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
         self._is_open = False
         FreeCAD.removeDocumentObserver(self)
+        self._restore_visibility()
         self._assessor.close()
         self._mesher.close(wait=STOP_SECONDS)
-        self._faces.close()
+        self._picking.close()
         self._previews.close()
         name = self._document_name
         QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(name))
@@ -267,8 +327,20 @@ def _leave_edit_and_close(document_name):
     FreeCADGui.Control.closeDialog()
 
 
+def _is_alive(obj):
+    try:
+        return obj.Document is not None and obj.ViewObject is not None
+    except ReferenceError:
+        return False
+
+
 def _names(numbers):
     return [f"Face{number}" for number in numbers]
+
+
+def _named(options):
+    """The overrides in `options`, edges, faces and vertices by their names."""
+    return {name: overrides.by_name(name, getattr(options, name)) for name in overrides.PROPERTIES}
 
 
 def _split(faces):
@@ -284,5 +356,5 @@ def _scheme_text(scheme):
 def _changes(options, settings):
     """Return the settings that differ from `options`."""
     faces = {"sources": _names(options.sources), "targets": _names(options.targets)}
-    old = {**vars(options), **faces, "pairs": [tuple(_names(pair)) for pair in options.pairs]}
+    old = {**vars(options), **faces, **_named(options), "pairs": [tuple(_names(pair)) for pair in options.pairs]}
     return {name: value for name, value in settings.items() if value != old[name]}

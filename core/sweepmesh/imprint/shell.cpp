@@ -1,0 +1,99 @@
+#include "sweepmesh/imprint/shell.h"
+
+#include <algorithm>
+#include <map>
+
+#include "sweepmesh/imprint/imprint.h"
+#include "sweepmesh/imprint/reference.h"
+#include "sweepmesh/imprint/shell_carried.h"
+#include "sweepmesh/imprint/shell_cuts.h"
+#include "sweepmesh/imprint/sweep_levels.h"
+#include "sweepmesh/surface/cap_boundary.h"
+
+namespace sweepmesh {
+namespace {
+
+bool has_seam(const Model& model, FaceId face) {
+  for (const Loop& loop : model.loops(face))
+    if (std::any_of(loop.begin(), loop.end(), [](const Coedge& c) { return c.seam; })) return true;
+  return false;
+}
+
+std::vector<std::string> caps_of(const Scheme& scheme) {
+  std::vector<std::string> names;
+  for (const FaceRole role : {FaceRole::source, FaceRole::target})
+    for (const FaceId f : scheme.faces_with(role)) names.push_back(name_of(f));
+  return names;
+}
+
+class Builder {
+ public:
+  Builder(const Model& model, const ShellMatch& match) : model_(model), match_(match) {}
+
+  Shell build() {
+    for (const EdgePair& pair : match_.edges) add_edge(pair);
+    for (const FacePair& pair : match_.faces) add_patch(pair);
+    return std::move(shell_);
+  }
+
+ private:
+  int vertex_at(VertexId v) {
+    const auto [at, is_new] = vertex_.emplace(v, shell_.n_vertices);
+    shell_.n_vertices += is_new;
+    return at->second;
+  }
+
+  void add_edge(const EdgePair& pair) {
+    edge_[pair.source] = static_cast<int>(shell_.edges.size());
+    ShellEdge edge;
+    edge.start = vertex_at(model_.start(pair.source));
+    edge.end = vertex_at(model_.end(pair.source));
+    edge.high.edge = pair.source;
+    edge.low.edge = pair.target;
+    edge.low.is_reversed = pair.is_reversed;
+    shell_.edges.push_back(edge);
+  }
+
+  void add_patch(const FacePair& pair) {
+    ShellPatch patch{pair.source, pair.target, {}};
+    for (const Loop& loop : bounding_loops(model_, pair.source)) {
+      patch.loops.emplace_back();
+      for (const Coedge& c : loop) patch.loops.back().push_back({edge_.at(c.edge), c.reversed});
+    }
+    shell_.patches.push_back(std::move(patch));
+  }
+
+  const Model& model_;
+  const ShellMatch& match_;
+  Shell shell_;
+  std::map<VertexId, int> vertex_;
+  std::map<EdgeId, int> edge_;
+};
+
+}  // namespace
+
+bool is_shell_like(const Model& model, const Scheme& scheme) {
+  const auto sources = scheme.faces_with(FaceRole::source),
+             targets = scheme.faces_with(FaceRole::target);
+  if (sources.size() == 1 && targets.size() == 1)
+    return has_seam(model, sources[0]) && has_seam(model, targets[0]);
+  return common_directions(model, scheme, sweep_levels(model, scheme)).empty();
+}
+
+Shell find_shell(const Model& model, const Scheme& scheme, const Context& context) {
+  context.check("imprint");
+  const auto match = match_caps(model, scheme);
+  if (!match) {
+    if (auto carried = carried_shell(model, scheme)) return std::move(*carried);
+    throw ImprintError(ImprintFailure::unreachable,
+                       "The columns of the sweep do not run along one direction, and its sources "
+                       "are not divided into faces as its targets are.",
+                       caps_of(scheme));
+  }
+  Shell shell = Builder(model, *match).build();
+  const int n = static_cast<int>(shell.patches.size());
+  for (int p = 0; p < n; ++p) cut_patch(model, false, p, shell);
+  return shell;
+}
+
+}  // namespace sweepmesh

@@ -1,0 +1,161 @@
+#include "sweepmesh/scheme_mesh.h"
+
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "sweepmesh/boundary.h"
+#include "sweepmesh/faces_at_elements.h"
+#include "sweepmesh/imprint/imprint_caps.h"
+#include "sweepmesh/imprinted_boundary.h"
+#include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/second_order_on_model.h"
+#include "sweepmesh/shell_boundary.h"
+#include "sweepmesh/volume/place.h"
+
+namespace sweepmesh {
+namespace {
+
+/// Edges whose inner nodes all were passed over have no mesh edges: seams of caps.
+void forget_unused_edges(const BoundaryMesh& boundary, Intervals& intervals) {
+  std::vector<char> is_used(intervals.edge.size(), 0);
+  for (const Owner& o : boundary.surface.owner)
+    if (o.kind == EntityKind::edge) is_used[o.index] = 1;
+  for (std::size_t e = 0; e < is_used.size(); ++e)
+    if (!is_used[e] && intervals.edge[e] > 1) intervals.edge[e] = 0;
+}
+
+VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
+  Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
+  try {
+    place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
+  } catch (const InvalidMeshError& e) {
+    throw InvalidMeshError(e.stage(), e.what(),
+                           faces_at_elements(boundary.surface, assembly, e.elements()),
+                           e.elements());
+  }
+  VolumeMesh mesh = build_volume_mesh(assembly.extrusion, std::move(assembly.points));
+  add_boundary(boundary.surface, assembly, mesh);
+  return mesh;
+}
+
+std::string merge_warning(double fraction) {
+  if (fraction == 0.0) return "Curves of different caps are not brought together, however near.";
+  return "Curves of different caps are brought together where they are nearer than " +
+         std::to_string(std::lround(100 * fraction)) + " % of the element size.";
+}
+
+class SchemeMesher {
+ public:
+  SchemeMesher(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
+               StageClock& clock, Context& context)
+      : model_(model),
+        scheme_(scheme),
+        options_(options),
+        intervals_(interval_options(model, options, size)),
+        kind_(options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle),
+        clock_(clock),
+        context_(context) {}
+
+  SchemeMesh run() {
+    const BoundaryMesh boundary = mesh_boundary();
+    forget_unused_edges(boundary, out_.intervals);
+    context_.report(0.6, "Placing interior nodes");
+    out_.mesh = clock_.run("place", [&] {
+      VolumeMesh mesh = fill(boundary, context_);
+      if (options_.order == 2) add_mid_nodes_on(model_, mesh, context_, out_.warnings);
+      return mesh;
+    });
+    if (!out_.intervals.is_optimal)
+      out_.warnings.push_back("The interval solver reached its limit; its best solution is used.");
+    return std::move(out_);
+  }
+
+ private:
+  BoundaryMesh mesh_boundary() {
+    if (is_shell_like(model_, scheme_)) return between_shells();
+    return is_one_to_one(scheme_) ? one_to_one() : many_to_many();
+  }
+
+  BoundaryMesh one_to_one() {
+    context_.report(0.1, "Choosing intervals");
+    out_.intervals = clock_.run(
+        "intervals", [&] { return assign_intervals(model_, scheme_, intervals_, context_); });
+    context_.report(0.2, "Meshing the surface");
+    return clock_.run("surface", [&] {
+      return sweepmesh::mesh_boundary(model_, scheme_, out_.intervals, intervals_, kind_, context_);
+    });
+  }
+
+  /// Near curves are brought together within the first distance, or, where curves then get into
+  /// each other's way or cells have no room on a cap, within another one. If none will do, the
+  /// first error counts.
+  BoundaryMesh many_to_many() {
+    const std::vector<double> fractions = merge_fractions(options_, intervals_.size);
+    std::exception_ptr first;
+    for (const double fraction : fractions) try {
+        BoundaryMesh boundary = with_merging(fraction);
+        if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
+        return boundary;
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error& e) {
+        if (!first) first = std::current_exception();
+        if (e.entities().empty()) break;  // nothing that merging could change
+      }
+    std::rethrow_exception(first);
+  }
+
+  BoundaryMesh with_merging(double merge_fraction) {
+    context_.report(0.05, "Imprinting");
+    const Imprint imprint = clock_.run("imprint", [&] {
+      const ImprintOptions how{.size = intervals_.size, .merge_fraction = merge_fraction};
+      return imprint_caps(model_, scheme_, how, context_);
+    });
+    context_.report(0.1, "Choosing intervals");
+    const ImprintCounts counts = clock_.run(
+        "intervals", [&] { return count_imprint(model_, scheme_, imprint, intervals_, context_); });
+    out_.intervals = counts.intervals;
+    context_.report(0.2, "Meshing the surface");
+    return clock_.run("surface", [&] {
+      return mesh_imprinted_boundary(model_, scheme_, imprint, counts, intervals_, kind_, context_);
+    });
+  }
+
+  BoundaryMesh between_shells() {
+    context_.report(0.05, "Matching sources and targets");
+    const Shell shell =
+        clock_.run("imprint", [&] { return find_shell(model_, scheme_, context_); });
+    context_.report(0.1, "Choosing intervals");
+    const ShellCounts counts = clock_.run(
+        "intervals", [&] { return count_shell(model_, scheme_, shell, intervals_, context_); });
+    out_.intervals = counts.intervals;
+    context_.report(0.2, "Meshing the surface");
+    return clock_.run("surface", [&] {
+      return mesh_shell_boundary(model_, scheme_, shell, counts, intervals_, kind_, context_);
+    });
+  }
+
+  const Model& model_;
+  const Scheme& scheme_;
+  const SweepOptions& options_;
+  const IntervalOptions intervals_;
+  const CellKind kind_;
+  StageClock& clock_;
+  Context& context_;
+  SchemeMesh out_;
+};
+
+}  // namespace
+
+SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
+                       double size, StageClock& clock, Context& context) {
+  return SchemeMesher(model, scheme, options, size, clock, context).run();
+}
+
+bool is_one_to_one(const Scheme& scheme) {
+  return scheme.faces_with(FaceRole::source).size() == 1 &&
+         scheme.faces_with(FaceRole::target).size() == 1;
+}
+
+}  // namespace sweepmesh
