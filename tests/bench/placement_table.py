@@ -70,7 +70,7 @@ def main():
     parser.add_argument("--factor", type=float, default=1.0)
     parser.add_argument("--gallery", type=Path, default=gallery_folder())
     parser.add_argument("solids", nargs="*")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     line = "| %s | %s | %s | %s | %s | %s |" if options.markdown else "%-18s %7s %8s %8s %8s %9s"
     is_beaten = False
     for solid in chosen(json.loads((options.gallery / "gallery.json").read_text())["solids"], options):
