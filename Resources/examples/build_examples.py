@@ -31,6 +31,23 @@ def manifold_elbow():
     return elbow.multiFuse(legs).Solids[0]
 
 
+def pipe_junction():
+    """A thick pipe along z with a bore across it: its floors and ceilings are quarters of the bore's wall."""
+    outer, inner, height, cross = 24, 12, 50, 7
+    foot, up = FreeCAD.Vector(0, 0, -height / 2), FreeCAD.Vector(0, 0, 1)
+    pipe = Part.makeCylinder(outer, height, foot, up).cut(Part.makeCylinder(inner, height, foot, up))
+    start = FreeCAD.Vector(-1.5 * outer, 0, 0)
+    bore = Part.Face(_quartered_circle(start, cross)).extrude(FreeCAD.Vector(3 * outer, 0, 0))
+    return pipe.cut(bore).Solids[0]
+
+
+def _quartered_circle(centre, radius):
+    """A circle across x in four arcs; two of them lie above and below the centre."""
+    at = [math.radians(angle) for angle in range(45, 406, 45)]
+    points = [centre + FreeCAD.Vector(0, radius * math.cos(a), radius * math.sin(a)) for a in at]
+    return Part.Wire([Part.Arc(*points[i : i + 3]).toShape() for i in range(0, 8, 2)])
+
+
 def _circle(centre, radius):
     return Part.Wire([Part.Circle(centre, FreeCAD.Vector(0, 0, 1), radius).toShape()])
 
@@ -64,3 +81,4 @@ def write(shape, name):
 
 if __name__ == "__main__":
     write(manifold_elbow(), "manifold_elbow")
+    write(pipe_junction(), "pipe_junction")

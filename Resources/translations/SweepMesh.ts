@@ -8,6 +8,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>, {} pairs of patches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Across x</source>
       <translation type="unfinished" />
     </message>
@@ -413,11 +417,15 @@
   <context>
     <name>SweepMeshPreview</name>
     <message>
-      <source>Dots are the nodes that the mesh is to have on the edges, numbers say how many mesh edges lie between. Edges along the sweep are blue, edges within a layer orange.</source>
+      <source>Dots are the nodes that the mesh is to have on the edges, numbers say how many mesh edges lie between. Edges along the sweep are blue, edges within a layer brown.</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>How linking faces turn at their vertices: E end, S side, C corner, R reversal</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Imprinted curves</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -433,7 +441,19 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Number of mesh edges on each edge: blue along the sweep, orange across it</source>
+      <source>Number of mesh edges on each edge: blue along the sweep, brown across it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Outlines of other sources and targets, carried over along the sweep</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Paired patches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Parts of sources and targets in one colour are swept to each other</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -446,6 +466,10 @@
     </message>
     <message>
       <source>Sources are drawn orange, targets blue, linking faces pale</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The imprinted curves divide sources and targets into patches. Each patch of a target is swept to the patch of a source in the same colour.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -462,6 +486,10 @@
     </message>
     <message>
       <source>Vertex types</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Where a sweep has several sources or targets, the outline of each is carried along the sweep to the caps above and below it and divides them. The solid itself is not cut.</source>
       <translation type="unfinished" />
     </message>
   </context>

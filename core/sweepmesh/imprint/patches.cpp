@@ -142,18 +142,14 @@ class PatchFinder {
     constexpr char unknown = 2;
     std::vector<char> state(arrangement_.faces.size(), unknown);
     state[outside_] = false;
-    const auto set = [&](int face, char value, const Wall* wall) {
+    const auto set = [&](int face, char value, std::size_t edge) {
       if (state[face] == unknown) state[face] = value;
-      if (state[face] == value) return false;
-      throw ImprintError(
-          ImprintFailure::unreachable,
-          "The linking faces do not enclose the solid's section between two levels.",
-          wall ? std::vector<std::string>{name_of(wall->face)} : std::vector<std::string>{});
+      if (state[face] != value) throw_open_section(edge, s);
     };
     for (std::size_t e = 0; e < arrangement_.edges.size(); ++e)
       if (const Wall* w = wall_at(e, s)) {
-        set(left_[e], w->is_solid_left, w);
-        set(right_[e], !w->is_solid_left, w);
+        set(left_[e], w->is_solid_left, e);
+        set(right_[e], !w->is_solid_left, e);
       }
     for (bool is_changing = true; is_changing;) {
       is_changing = false;
@@ -161,11 +157,21 @@ class PatchFinder {
         if (wall_at(e, s) || (state[left_[e]] == unknown && state[right_[e]] == unknown)) continue;
         is_changing |= state[left_[e]] == unknown || state[right_[e]] == unknown;
         const char known = state[left_[e]] == unknown ? state[right_[e]] : state[left_[e]];
-        set(left_[e], known, nullptr);
-        set(right_[e], known, nullptr);
+        set(left_[e], known, e);
+        set(right_[e], known, e);
       }
     }
     for (std::size_t f = 0; f < state.size(); ++f) inside_[f][s] = state[f] == true;
+  }
+
+  /// At an edge of the arrangement, between levels s and s + 1.
+  [[noreturn]] void throw_open_section(std::size_t edge, std::size_t s) const {
+    std::set<std::string> names;
+    if (const Wall* w = wall_at(edge, s)) names.insert(name_of(w->face));
+    for (const Trace& t : overlay_.traces[edge]) names.insert(name_of(t.edge));
+    throw ImprintError(ImprintFailure::unreachable,
+                       "The linking faces do not enclose the solid's section between two levels.",
+                       {names.begin(), names.end()});
   }
 
   // --- caps --------------------------------------------------------------------------------------

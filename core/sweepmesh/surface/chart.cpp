@@ -157,6 +157,9 @@ void Chart::flatten(const Context& context) {
   const std::vector<char> fixed(flat_.size(), 0);
   flat_ = minimise_foldover(flat_, fixed, triangles, {}, options, context).points;
   if (!is_one_to_one()) flat_ = start;
+  double area_flat = 0.0;
+  for (const Facet& f : facets_) area_flat += std::max(0.0, edges_of(flat_, f.node).determinant());
+  for (Point2& p : flat_) p *= std::sqrt(area / area_flat);
   std::size_t node = 0;
   for (auto& loop : loops_)
     for (Point2& p : loop) p = flat_[node++];

@@ -1,6 +1,7 @@
 #include "sweepmesh/surface/quad_mesher.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -197,6 +198,48 @@ void fit_to_area(std::vector<double>& size, const PlanarMesh& mesh, const Metric
   for (double& s : size) s *= std::sqrt(there / wished);
 }
 
+/// Every quad as two triangles, along the diagonal that leaves the better ones.
+PlanarMesh split_into_triangles(const PlanarMesh& quads, const Metric& metric) {
+  PlanarMesh out;
+  out.points = quads.points;
+  out.n_boundary = quads.n_boundary;
+  for (int c = 0; c < quads.n_cells(); ++c) {
+    const auto q = quads.cell(c);
+    if (q.size() < 4) {
+      out.add_cell(q);
+      continue;
+    }
+    const auto halves = [&](int i) {
+      return std::array{std::array{q[i], q[i + 1], q[(i + 2) % 4]},
+                        std::array{q[i], q[(i + 2) % 4], q[(i + 3) % 4]}};
+    };
+    const auto worse = [&](const auto& two) {
+      return std::min(scaled_jacobian(out.points, two[0], metric),
+                      scaled_jacobian(out.points, two[1], metric));
+    };
+    const auto first = halves(0), second = halves(1);
+    for (const auto& triangle : worse(first) >= worse(second) ? first : second)
+      out.add_cell(triangle);
+  }
+  return out;
+}
+
+/// Triangles all over; and where these are poor (they know nothing of the metric), halved quads.
+std::vector<PlanarMesh> triangle_candidates(const Task& task) {
+  constexpr double poor = 0.3;
+  const Metric& metric = task.options.metric;
+  std::vector<PlanarMesh> out = {
+      smoothed(by_gmsh(task.loops, GmshAlgorithm::frontal, task.options.size, false, task.context),
+               metric, task.context)};
+  if (flattened(task.loops).size() % 2 != 0 || worst(out, metric) >= poor) return out;
+  try {
+    for (const PlanarMesh& quads : quad_candidates(task))
+      out.push_back(smoothed(split_into_triangles(quads, metric), metric, task.context));
+  } catch (const SolverError&) {  // no quads: the triangles have to do
+  }
+  return out;
+}
+
 }  // namespace
 
 double overall_quality(const PlanarMesh& mesh, const Metric& metric) {
@@ -253,9 +296,8 @@ bool is_domain(const PlanarLoops& loops) {
 std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarMeshOptions& options,
                                          const BoundaryAngles& angles, const Context& context) {
   check_input(loops, options);
-  if (options.kind == CellKind::quad) return quad_candidates({loops, options, angles, context});
-  return {smoothed(by_gmsh(loops, GmshAlgorithm::frontal, options.size, false, context),
-                   options.metric, context)};
+  const Task task{loops, options, angles, context};
+  return options.kind == CellKind::quad ? quad_candidates(task) : triangle_candidates(task);
 }
 
 PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options,

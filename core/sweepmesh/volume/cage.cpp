@@ -1,8 +1,11 @@
 #include "sweepmesh/volume/cage.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
 #include "sweepmesh/base/errors.h"
 
@@ -127,47 +130,114 @@ double stretch(const Point3 (&a)[3], const Point3 (&b)[3]) {
   return std::sqrt(std::max(0.0, square)) / (std::sqrt(8.0) * area);
 }
 
-}  // namespace
+[[noreturn]] void refuse(const char* why) {
+  throw InputError("place", std::string("A cage of these runs has no idealised prism: ") + why);
+}
 
-Cage make_cage(const OneToOne& sweep, const BaseMetric& metric, const Points& points) {
-  const Extrusion& x = sweep.extrusion;
-  const Point3 direction = sweep.rim_area(points, sweep.k_low).normalized();
-  Cage cage;
-  std::vector<int> vertex(x.n_nodes(), -1);
-  std::vector<char> is_rim(x.n_columns(), 0);
-  for (const int c : sweep.rim) is_rim[c] = 1;
-  for (int c = 0; c < x.n_columns(); ++c) {
-    Point3 ideal = sweep.at(points, c, sweep.k_low);
-    for (int k = sweep.k_low; k <= sweep.k_high; ++k) {
-      const long node = x.node(c, k);
-      if (is_rim[c] || k == sweep.k_low || k == sweep.k_high) {
-        vertex[node] = static_cast<int>(cage.node.size());
-        cage.node.push_back(node);
-        cage.ideal.push_back(ideal);
-        cage.actual.push_back(points.row(node));
-      } else {
-        cage.inner.push_back(node);
-        cage.inner_ideal.push_back(ideal);
-      }
-      if (k < sweep.k_high) ideal += metric.height_of(k) * direction;
-    }
-  }
-  const auto add = [&](long a, long b, long c) {
-    cage.triangles.push_back({vertex[a], vertex[b], vertex[c]});
+/// The level at which all runs begin, or at which all end.
+int common_level(const Extrusion& x) {
+  const auto is_one = [](const std::vector<int>& v) {
+    return std::all_of(v.begin(), v.end(), [&](int k) { return k == v.front(); });
   };
+  if (x.n_cells() == 0) refuse("there is none.");
+  if (is_one(x.cell_k_low) && is_one(x.k_low)) return x.k_low.front();
+  if (is_one(x.cell_k_high) && is_one(x.k_high)) return x.k_high.front();
+  refuse("they neither begin nor end at one level.");
+}
+
+/// Half the sum of a x b over the cells' sides: the normal of the base at a level.
+Point3 base_normal(const Extrusion& x, const Points& points, int level) {
+  const Point3 origin = points.row(x.node(0, level));
+  Point3 sum = Point3::Zero();
+  for (int c = 0; c < x.n_cells(); ++c)
+    for (int i = 0, n = x.cell_size(c); i < n; ++i) {
+      const int* columns = x.cell_columns.data() + x.cell_offset[c];
+      sum += (Point3(points.row(x.node(columns[i], level))) - origin)
+                 .cross(Point3(points.row(x.node(columns[(i + 1) % n], level))) - origin);
+    }
+  return sum.normalized();
+}
+
+using NodeTriangles = std::vector<std::array<long, 3>>;
+
+void add_caps(const Extrusion& x, NodeTriangles& triangles) {
   for (int c = 0; c < x.n_cells(); ++c)
     for (int i = 1; i + 1 < x.cell_size(c); ++i) {
       const int* columns = x.cell_columns.data() + x.cell_offset[c];
-      add(x.node(columns[0], sweep.k_low), x.node(columns[i + 1], sweep.k_low),
-          x.node(columns[i], sweep.k_low));
-      add(x.node(columns[0], sweep.k_high), x.node(columns[i], sweep.k_high),
-          x.node(columns[i + 1], sweep.k_high));
+      const int low = x.cell_k_low[c], high = x.cell_k_high[c];
+      triangles.push_back(
+          {x.node(columns[0], low), x.node(columns[i + 1], low), x.node(columns[i], low)});
+      triangles.push_back(
+          {x.node(columns[0], high), x.node(columns[i], high), x.node(columns[i + 1], high)});
     }
-  for (const auto& [a, b] : sweep.rim_edges)
-    for (int k = sweep.k_low; k < sweep.k_high; ++k) {
-      add(x.node(a, k), x.node(b, k), x.node(b, k + 1));
-      add(x.node(a, k), x.node(b, k + 1), x.node(a, k + 1));
+}
+
+/// Sides of cells, layer by layer, that no other run has on its other side.
+void add_sides(const Extrusion& x, NodeTriangles& triangles) {
+  std::map<std::array<int, 2>, std::vector<int>> cells;  // by directed side
+  const auto for_sides = [&](auto&& f) {
+    for (int c = 0; c < x.n_cells(); ++c)
+      for (int i = 0, n = x.cell_size(c); i < n; ++i)
+        f(c, x.cell_columns[x.cell_offset[c] + i], x.cell_columns[x.cell_offset[c] + (i + 1) % n]);
+  };
+  for_sides([&](int c, int a, int b) { cells[{a, b}].push_back(c); });
+  for_sides([&](int c, int a, int b) {
+    const auto across = cells.find({b, a});
+    for (int k = x.cell_k_low[c]; k < x.cell_k_high[c]; ++k) {
+      const bool is_inside = across != cells.end() &&
+                             std::any_of(across->second.begin(), across->second.end(), [&](int o) {
+                               return x.cell_k_low[o] <= k && k < x.cell_k_high[o];
+                             });
+      if (is_inside) continue;
+      triangles.push_back({x.node(a, k), x.node(b, k), x.node(b, k + 1)});
+      triangles.push_back({x.node(a, k), x.node(b, k + 1), x.node(a, k + 1)});
     }
+  });
+}
+
+/// Positions of all nodes on the prism.
+std::vector<Point3> ideal_nodes(const Extrusion& x, const BaseMetric& metric,
+                                const Points& points) {
+  const int level = common_level(x);
+  const Point3 direction = base_normal(x, points, level);
+  std::vector<Point3> ideal(x.n_nodes());
+  for (int c = 0; c < x.n_columns(); ++c) {
+    ideal[x.node(c, level)] = points.row(x.node(c, level));
+    for (int k = level; k < x.k_high[c]; ++k)
+      ideal[x.node(c, k + 1)] = ideal[x.node(c, k)] + metric.height_of(k) * direction;
+    for (int k = level; k > x.k_low[c]; --k)
+      ideal[x.node(c, k - 1)] = ideal[x.node(c, k)] - metric.height_of(k - 1) * direction;
+  }
+  return ideal;
+}
+
+}  // namespace
+
+Cage make_cage(const Extrusion& extrusion, const std::vector<char>& fixed, const BaseMetric& metric,
+               const Points& points) {
+  const std::vector<Point3> ideal = ideal_nodes(extrusion, metric, points);
+  NodeTriangles triangles;
+  add_caps(extrusion, triangles);
+  add_sides(extrusion, triangles);
+  std::vector<int> vertex(extrusion.n_nodes(), -1);
+  for (const auto& t : triangles)
+    for (const long node : t) vertex[node] = 0;
+  Cage cage;
+  for (long node = 0; node < extrusion.n_nodes(); ++node) {
+    if ((vertex[node] == 0) != (fixed[node] != 0))
+      refuse("nodes are fixed inside, or free on the boundary.");
+    if (fixed[node]) {
+      vertex[node] = static_cast<int>(cage.node.size());
+      cage.node.push_back(node);
+      cage.ideal.push_back(ideal[node]);
+      cage.actual.push_back(points.row(node));
+    } else {
+      cage.inner.push_back(node);
+      cage.inner_ideal.push_back(ideal[node]);
+    }
+  }
+  for (const auto& t : triangles)
+    cage.triangles.push_back({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
   return cage;
 }
 

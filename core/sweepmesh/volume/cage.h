@@ -1,10 +1,14 @@
-// The idealised prism of a one-to-one sweep and its cage, for the cage-based methods of placement.
+// The idealised prism of a set of runs and its cage, for the cage-based methods of placement.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "sweepmesh/volume/one_to_one.h"
+#include "sweepmesh/base/context.h"
+#include "sweepmesh/base/geometry.h"
+#include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/base_metric.h"
+#include "sweepmesh/volume/extrusion.h"
 
 namespace sweepmesh {
 
@@ -16,8 +20,11 @@ struct Cage {
   std::vector<Point3> inner_ideal;            ///< where they are on the prism
 };
 
-/// The prism is the low cap, translated along its normal by the heights of the layers.
-Cage make_cage(const OneToOne& sweep, const BaseMetric& metric, const Points& points);
+/// The prism is the base at the level where all runs begin (or else end), translated along its
+/// normal by the heights of the layers. Throws InputError where runs have no such level, or where
+/// fixed nodes are not exactly those of the boundary.
+Cage make_cage(const Extrusion& extrusion, const std::vector<char>& fixed, const BaseMetric& metric,
+               const Points& points);
 
 /// Positions of the inner nodes, in their order. Cost: triangles (or vertices) times inner nodes.
 std::vector<Point3> mean_value_positions(const Cage& cage, ThreadTeam& team,

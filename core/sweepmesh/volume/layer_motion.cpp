@@ -5,31 +5,13 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <string>
 
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/volume/slabs.h"
 
 namespace sweepmesh {
 namespace {
-
-/// Disjoint sets of 0 .. n - 1.
-class Sets {
- public:
-  explicit Sets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// Directions with less than this part of the largest variance (squared) count as none.
 constexpr double flat_variance = 64.0 * std::numeric_limits<double>::epsilon();
@@ -40,47 +22,8 @@ Point3 mean_of(const std::vector<Point3>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// The cross-section between two neighbouring levels.
-struct Slab {
-  int k_low, k_high;
-  std::vector<int> part;  ///< per column: connected part of the section, or -1
-  /// Per part: maps from k_low to k_low .. k_high; empty where no fit exists.
-  std::vector<std::vector<AffineMap>> motion;
-};
-
-std::vector<int> levels_of(const Extrusion& x) {
-  std::vector<int> levels = x.cell_k_low;
-  levels.insert(levels.end(), x.cell_k_high.begin(), x.cell_k_high.end());
-  std::sort(levels.begin(), levels.end());
-  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-  return levels;
-}
-
-int find_parts(const Extrusion& x, Slab& slab) {
-  Sets sets(x.n_columns());
-  std::vector<char> is_active(x.n_columns(), 0);
-  for (int c = 0; c < x.n_cells(); ++c) {
-    if (x.cell_k_low[c] > slab.k_low || x.cell_k_high[c] < slab.k_high) continue;
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      is_active[x.cell_columns[i]] = 1;
-      sets.join(x.cell_columns[i], x.cell_columns[x.cell_offset[c]]);
-    }
-  }
-  int n_parts = 0;
-  slab.part.assign(x.n_columns(), -1);
-  for (int c = 0; c < x.n_columns(); ++c) {
-    if (!is_active[c]) continue;
-    const int root = sets.find(c);
-    slab.part[c] = root == c ? n_parts++ : slab.part[root];
-  }
-  return n_parts;
-}
-
-bool is_fixed_between(const Extrusion& x, const std::vector<char>& fixed, int column, int low,
-                      int high) {
-  const auto first = fixed.begin() + x.node(column, low);
-  return std::all_of(first, first + (high - low + 1), [](char f) { return f != 0; });
-}
+/// Per part of a slab: maps from its low level to each of its layers; empty where no fit exists.
+using SlabMotion = std::vector<std::vector<AffineMap>>;
 
 std::vector<AffineMap> fit_layers(const Extrusion& x, const Points& points, const Slab& slab,
                                   const std::vector<int>& loop) {
@@ -94,28 +37,24 @@ std::vector<AffineMap> fit_layers(const Extrusion& x, const Points& points, cons
   return motion;
 }
 
-std::vector<Slab> make_slabs(const Extrusion& x, const std::vector<char>& fixed,
-                             const Points& points) {
-  std::vector<Slab> slabs;
-  const std::vector<int> levels = levels_of(x);
-  for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
-    Slab& slab = slabs.emplace_back(Slab{levels[l], levels[l + 1], {}, {}});
-    std::vector<std::vector<int>> loops(find_parts(x, slab));
-    for (int c = 0; c < x.n_columns(); ++c)
-      if (slab.part[c] >= 0 && is_fixed_between(x, fixed, c, slab.k_low, slab.k_high))
-        loops[slab.part[c]].push_back(c);
-    for (const std::vector<int>& loop : loops)
-      slab.motion.push_back(fit_layers(x, points, slab, loop));
+std::vector<SlabMotion> fit_slabs(const Extrusion& x, const Points& points,
+                                  const std::vector<Slab>& slabs) {
+  std::vector<SlabMotion> motions;
+  for (const Slab& slab : slabs) {
+    SlabMotion& motion = motions.emplace_back();
+    for (const std::vector<int>& loop : slab.loops)
+      motion.push_back(fit_layers(x, points, slab, loop));
   }
-  return slabs;
+  return motions;
 }
 
 /// Maps from the low end of a block to each of its levels; empty where a slab has no fit.
-std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const MotionBlock& block, int column) {
+std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const std::vector<SlabMotion>& motions,
+                             const MotionBlock& block, int column) {
   std::vector<AffineMap> maps(1);
-  for (const Slab& slab : slabs) {
-    if (slab.k_high <= block.k_low || slab.k_low >= block.k_high) continue;
-    const std::vector<AffineMap>& motion = slab.motion[slab.part[column]];
+  for (std::size_t s = 0; s < slabs.size(); ++s) {
+    if (slabs[s].k_high <= block.k_low || slabs[s].k_low >= block.k_high) continue;
+    const std::vector<AffineMap>& motion = motions[s][slabs[s].part[column]];
     if (motion.empty()) return {};
     const AffineMap start = maps.back();
     for (std::size_t k = 1; k < motion.size(); ++k) maps.push_back(motion[k].after(start));
@@ -123,23 +62,24 @@ std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const MotionBlock& 
   return maps;
 }
 
-/// Whether a map from the low end of a block to its high end says more of the motion than no map:
-/// loops that are small beside their caps say nothing of what lies far from them.
-bool is_telling(const AffineMap& map, const Extrusion& x, const Points& points, int block_index,
-                const LayerMotion& motion) {
+/// Whether the map from the low end of each block to its high end says more of the motion than no
+/// map: loops that are small beside their caps say nothing of what lies far from them.
+std::vector<char> are_telling(const std::vector<std::vector<AffineMap>>& maps, const Extrusion& x,
+                              const Points& points, const LayerMotion& motion) {
   constexpr double most_off = 0.5;  // of the way
-  const MotionBlock& block = motion.blocks[block_index];
-  double off = 0.0, way = 0.0;
-  for (int c = 0; c < x.n_cells(); ++c) {
-    if (motion.cell_block[c] != block_index) continue;
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      const Point3 low = points.row(x.node(x.cell_columns[i], block.k_low));
-      const Point3 high = points.row(x.node(x.cell_columns[i], block.k_high));
-      off += (map(low) - high).norm();
-      way += (low - high).norm();
+  std::vector<double> off(maps.size(), 0.0), way(maps.size(), 0.0);
+  for (int c = 0; c < x.n_columns(); ++c)
+    for (int i = motion.column_offset[c]; i < motion.column_offset[c + 1]; ++i) {
+      const int b = motion.column_blocks[i];
+      if (maps[b].empty()) continue;
+      const Point3 low = points.row(x.node(c, motion.blocks[b].k_low));
+      const Point3 high = points.row(x.node(c, motion.blocks[b].k_high));
+      off[b] += (maps[b].back()(low) - high).norm();
+      way[b] += (low - high).norm();
     }
-  }
-  return off <= most_off * way;
+  std::vector<char> out(maps.size());
+  for (std::size_t b = 0; b < out.size(); ++b) out[b] = off[b] <= most_off * way[b];
+  return out;
 }
 
 void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlock& block) {
@@ -255,15 +195,21 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
   LayerMotion motion;
   find_blocks(extrusion, motion);
   list_blocks_of_columns(extrusion, motion);
-  const std::vector<Slab> slabs = make_slabs(extrusion, fixed, points);
+  const std::vector<Slab> slabs = find_slabs(extrusion, fixed);
+  const std::vector<SlabMotion> motions = fit_slabs(extrusion, points, slabs);
+  std::vector<std::vector<AffineMap>> maps(motion.blocks.size());
+  std::vector<char> is_chained(motion.blocks.size(), 0);
   for (int c = 0; c < extrusion.n_cells(); ++c) {
     const int b = motion.cell_block[c];
-    MotionBlock& block = motion.blocks[b];
-    if (!block.blend.empty()) continue;
-    auto maps = chain(slabs, block, extrusion.cell_columns[extrusion.cell_offset[c]]);
-    if (!maps.empty() && !is_telling(maps.back(), extrusion, points, b, motion)) maps.clear();
-    set_blends(metric, std::move(maps), block);
+    if (is_chained[b]) continue;
+    is_chained[b] = 1;
+    const int column = extrusion.cell_columns[extrusion.cell_offset[c]];
+    maps[b] = chain(slabs, motions, motion.blocks[b], column);
   }
+  const std::vector<char> is_telling = are_telling(maps, extrusion, points, motion);
+  for (std::size_t b = 0; b < maps.size(); ++b)
+    set_blends(metric, is_telling[b] ? std::move(maps[b]) : std::vector<AffineMap>(),
+               motion.blocks[b]);
   return motion;
 }
 

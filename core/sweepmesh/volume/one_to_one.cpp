@@ -129,41 +129,23 @@ OneToOne make_one_to_one(const Extrusion& extrusion, const std::vector<char>& fi
   return sweep;
 }
 
-LoopMap fit_loops(const OneToOne& sweep, const Points& points, int from, int to,
-                  Functional functional) {
-  const std::vector<Point3> x = sweep.rim_at(points, from), y = sweep.rim_at(points, to);
+LoopMap fit_points(const std::vector<Point3>& x, const std::vector<Point3>& y, const Point3& area_x,
+                   const Point3& area_y, Functional functional) {
   const Point3 cx = mean_of(x), cy = mean_of(y);
   const bool is_g = functional == Functional::g;
   Moments moments;
   for (std::size_t i = 0; i < x.size(); ++i)
     is_g ? moments.add(x[i] - cx + cy - cx, y[i] - cx) : moments.add(x[i] - cx, y[i] - cy);
   if (functional == Functional::h && is_planar(moments.uu))
-    moments.add(sweep.rim_area(points, from).normalized(), sweep.rim_area(points, to).normalized());
+    moments.add(area_x.normalized(), area_y.normalized());
   const Eigen::Matrix3d a = moments.map();
   return is_g ? LoopMap{a, cx + a * (cy - 2.0 * cx)} : LoopMap{a, cy - a * cx};
 }
 
-void place_knupp(const OneToOne& sweep, Points& points) {
-  for (int k = sweep.k_high; k > sweep.k_low + 1; --k) {
-    const std::vector<Point3> x = sweep.rim_at(points, k), y = sweep.rim_at(points, k - 1);
-    const Point3 c = mean_of(x), d = mean_of(y), shift = 2.0 * c - d;
-    Moments moments;
-    for (std::size_t i = 0; i < x.size(); ++i) moments.add(x[i] - shift, y[i] - c);
-    const Eigen::Matrix3d t = moments.map();
-    for (const int i : sweep.inner)
-      points.row(sweep.extrusion.node(i, k - 1)) = t * (sweep.at(points, i, k) - shift) + c;
-  }
-}
-
-void place_least_squares(const OneToOne& sweep, Functional functional, Points& points) {
-  for (int k = sweep.k_low + 1; k < sweep.k_high; ++k) {
-    const LoopMap up = fit_loops(sweep, points, sweep.k_low, k, functional);
-    const LoopMap down = fit_loops(sweep, points, sweep.k_high, k, functional);
-    const double s = sweep.fraction[k - sweep.k_low];
-    for (const int i : sweep.inner)
-      points.row(sweep.extrusion.node(i, k)) = (1 - s) * up(sweep.at(points, i, sweep.k_low)) +
-                                               s * down(sweep.at(points, i, sweep.k_high));
-  }
+LoopMap fit_loops(const OneToOne& sweep, const Points& points, int from, int to,
+                  Functional functional) {
+  return fit_points(sweep.rim_at(points, from), sweep.rim_at(points, to),
+                    sweep.rim_area(points, from), sweep.rim_area(points, to), functional);
 }
 
 void place_boundary_error(const OneToOne& sweep, Points& points, ThreadTeam& team,

@@ -35,13 +35,14 @@ struct OneToOne {
 OneToOne make_one_to_one(const Extrusion& extrusion, const std::vector<char>& fixed,
                          const BaseMetric& metric);
 
-/// The layer-wise methods; free nodes are set. See placement_method.h.
-void place_knupp(const OneToOne& sweep, Points& points);
-enum class Functional { f, g, h };
-void place_least_squares(const OneToOne& sweep, Functional functional, Points& points);
+/// The layer-wise methods that know one-to-one sweeps only; free nodes are set. See
+/// placement_method.h.
 void place_boundary_error(const OneToOne& sweep, Points& points, ThreadTeam& team,
                           const Context& context);
 void place_bm_sweep(const OneToOne& sweep, Points& points);
+
+/// Roca's functionals.
+enum class Functional { f, g, h };
 
 /// Linear map y -> map y + shift of a fit between two loops.
 struct LoopMap {
@@ -50,8 +51,13 @@ struct LoopMap {
   Point3 operator()(const Point3& p) const { return matrix * p + shift; }
 };
 
-/// Fits the loop at level `from` to that at level `to` with one of Roca's functionals (thesis 2.3
-/// to 2.5); directions that the data say nothing of are mapped to nothing (least norm).
+/// Fits the points x to y with one of Roca's functionals (thesis 2.3 to 2.5; Knupp's map of A.1 is
+/// G's); the areas are the loops'. Directions that the data say nothing of are mapped to nothing
+/// (least norm).
+LoopMap fit_points(const std::vector<Point3>& x, const std::vector<Point3>& y, const Point3& area_x,
+                   const Point3& area_y, Functional functional);
+
+/// The same for the loop at level `from` and that at level `to`.
 LoopMap fit_loops(const OneToOne& sweep, const Points& points, int from, int to,
                   Functional functional);
 

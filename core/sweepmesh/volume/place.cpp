@@ -79,14 +79,36 @@ void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const
   if (!left.empty()) throw_invalid(left, "the mesh of the boundary leaves no room for them.");
 }
 
+/// Elements up to `threshold` that could be better: more than a little below what the boundary
+/// allows.
+std::vector<long> find_improvable(const Extrusion& x, const std::vector<char>& fixed,
+                                  const Points& points, double room,
+                                  const std::vector<long>& elements) {
+  if (elements.empty()) return {};
+  const ElementIndex index(x);
+  std::vector<long> out;
+  for (const long e : elements) {
+    const SweptElement element = index.element(e);
+    if (scaled_jacobian_of(x, points, element) + room <
+        bound_by_boundary(x, fixed, points, element))
+      out.push_back(e);
+  }
+  return out;
+}
+
 /// Improves the elements up to `threshold` where they can be; returns the least value then.
 double improve_poor(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
                     const PlacementOptions& options, double threshold, int power, Points& points,
                     PlacementReport& report, ThreadTeam& team, const Context& context) {
-  const ElementCheck check = check_elements(x, points, threshold, team);
+  ElementCheck check = check_elements(x, points, threshold, team);
+  const double part = options.improve_at_most_part * static_cast<double>(x.n_elements());
+  const long most = std::max(options.improve_at_most, static_cast<long>(part));
   const long n_poor = static_cast<long>(check.bad.size());
   report.n_poor_before = std::max(report.n_poor_before, n_poor);
-  if (n_poor == 0 || n_poor > options.improve_at_most) return check.min_scaled_jacobian;
+  if (n_poor > most) return check.min_scaled_jacobian;
+  const double room = 0.25 * options.lift_within;
+  check.bad = find_improvable(x, fixed, points, room, check.bad);
+  if (check.bad.empty()) return check.min_scaled_jacobian;
   UntangleOptions how;
   how.threshold = threshold;
   how.max_attempts = 1;

@@ -34,9 +34,11 @@ struct PlacementOptions {
   /// While the least value is below the first number, elements within the second of it are improved
   /// too, for as long as that helps; 0 and 0 switch it off.
   double lift_below = 0.7, lift_within = 0.03;
-  /// Nothing is improved when there are more such elements than this: then the shape itself asks
-  /// for them, there is nothing local to improve, and the time would no longer be linear.
-  long improve_at_most = 20000;
+  /// Nothing is improved when there are more such elements than this number and than this part of
+  /// all: then the shape itself asks for them, there is nothing local to improve, and the time
+  /// would no longer be linear. Nor where the boundary alone makes them poor.
+  long improve_at_most = 1000;
+  double improve_at_most_part = 5e-4;
   /// Where the mean scaled Jacobian is below this (and layers are no exact images of the caps),
   /// nodes are moved to raise it; 0..1, 0 switches it off. Not in meshes with more elements than
   /// `raise_at_most`: it takes a hundred times as long as the placement itself.

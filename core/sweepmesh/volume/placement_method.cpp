@@ -2,6 +2,7 @@
 
 #include "sweepmesh/volume/cage.h"
 #include "sweepmesh/volume/layer_motion.h"
+#include "sweepmesh/volume/older_affine.h"
 #include "sweepmesh/volume/one_to_one.h"
 #include "sweepmesh/volume/residual.h"
 
@@ -68,32 +69,32 @@ std::string name_of(PlacementMethod method) {
 void place_by_older_method(PlacementMethod method, const Extrusion& extrusion,
                            const std::vector<char>& fixed, const BaseMetric& metric, Points& points,
                            ThreadTeam& team, const Context& context) {
-  const OneToOne sweep = make_one_to_one(extrusion, fixed, metric);
+  using enum PlacementMethod;
   switch (method) {
-    case PlacementMethod::harmonic_residual:
-    case PlacementMethod::layer_affine:
+    case harmonic_residual:
+    case layer_affine:
       set_predictions(extrusion, make_layer_motion(extrusion, fixed, points, metric), fixed, points,
                       team);
       return;
-    case PlacementMethod::knupp_affine:
-      return place_knupp(sweep, points);
-    case PlacementMethod::least_squares_f:
-      return place_least_squares(sweep, Functional::f, points);
-    case PlacementMethod::least_squares_g:
-      return place_least_squares(sweep, Functional::g, points);
-    case PlacementMethod::least_squares_h:
-      return place_least_squares(sweep, Functional::h, points);
-    case PlacementMethod::bm_sweep:
-      return place_bm_sweep(sweep, points);
-    case PlacementMethod::boundary_error:
-      return place_boundary_error(sweep, points, team, context);
-    case PlacementMethod::mean_value:
-    case PlacementMethod::green:
-    case PlacementMethod::triharmonic_rbf:
-    case PlacementMethod::harmonic_grid:
+    case knupp_affine:
+      return place_knupp(extrusion, fixed, points);
+    case least_squares_f:
+      return place_least_squares(extrusion, fixed, metric, Functional::f, points, team);
+    case least_squares_g:
+      return place_least_squares(extrusion, fixed, metric, Functional::g, points, team);
+    case least_squares_h:
+      return place_least_squares(extrusion, fixed, metric, Functional::h, points, team);
+    case bm_sweep:
+      return place_bm_sweep(make_one_to_one(extrusion, fixed, metric), points);
+    case boundary_error:
+      return place_boundary_error(make_one_to_one(extrusion, fixed, metric), points, team, context);
+    case mean_value:
+    case green:
+    case triharmonic_rbf:
+    case harmonic_grid:
       break;
   }
-  const Cage cage = make_cage(sweep, metric, points);
+  const Cage cage = make_cage(extrusion, fixed, metric, points);
   const std::vector<Point3> placed = cage_positions(method, cage, team, context);
   for (std::size_t i = 0; i < placed.size(); ++i) points.row(cage.inner[i]) = placed[i];
 }

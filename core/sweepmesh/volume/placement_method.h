@@ -1,9 +1,11 @@
 // Ways to place interior nodes: ours, and the older ones that it is compared with.
 //
 // All but `harmonic_residual` are taken as they stand in the literature: nothing is untangled or
-// improved after them, and they are for one-to-one sweeps only (every column and every run has the
-// same layers, and the boundary is exactly the two caps and the columns of the linking faces);
-// otherwise InputError.
+// improved after them. Their inventors describe them for one-to-one sweeps. The affine ones go on
+// to any set of runs as older_affine.h says; the cage-based ones to runs that all begin (or all
+// end) at one level, whose boundary is exactly the fixed nodes; `bm_sweep` and `boundary_error`
+// know one-to-one sweeps only (every column and every run has the same layers, and the boundary is
+// exactly the two caps and the columns of the linking faces). Otherwise InputError.
 //
 // Sources, after "thesis" (Cai, sweeping, 2015):
 //   layer-wise: Knupp 1998 (A.1), Roca and Sarrate 2004, 2006 (2.3 to 2.5, A.2), Staten et al. 1999

@@ -225,6 +225,15 @@ void mend(const Extrusion& x, const BaseMetric& metric, const ElementIndex& inde
   put(before);
 }
 
+/// A corner's node and its neighbours, right-handed; the last is the one above or below.
+std::array<long, 4> corner_nodes(const Extrusion& x, SweptElement e, int i, int up) {
+  const int n = x.cell_size(e.cell), k = e.k + up;
+  const int* columns = x.cell_columns.data() + x.cell_offset[e.cell];
+  const int next = columns[(i + 1) % n], last = columns[(i + n - 1) % n];
+  return {x.node(columns[i], k), x.node(up ? last : next, k), x.node(up ? next : last, k),
+          x.node(columns[i], up ? e.k : e.k + 1)};
+}
+
 }  // namespace
 
 UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
@@ -263,22 +272,46 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
   return report;
 }
 
+double bound_by_boundary(const Extrusion& extrusion, const std::vector<char>& fixed,
+                         const Points& points, SweptElement element) {
+  const int n = extrusion.cell_size(element.cell);
+  const double ideal = n == 4 ? 1.0 : std::sin(2.0 * std::numbers::pi / n);
+  double bound = 1.0;
+  for (int i = 0; i < n; ++i)
+    for (const int up : {0, 1}) {
+      const std::array<long, 4> corner = corner_nodes(extrusion, element, i, up);
+      if (!fixed[corner[0]]) continue;
+      const Point3 o = points.row(corner[0]);
+      std::array<Point3, 3> side;
+      int n_fixed = 0;
+      bool has_upright = false;
+      for (int j = 1; j < 4; ++j) {
+        if (!fixed[corner[j]]) continue;
+        has_upright = has_upright || j == 3;
+        side[n_fixed++] = Point3(points.row(corner[j])) - o;
+      }
+      if (n_fixed < 2) continue;
+      const double value = n_fixed == 3
+                               ? normalised_determinant(side[0], side[1], side[2])
+                               : side[0].cross(side[1]).norm() / (side[0].norm() * side[1].norm());
+      // Only a corner of the ideal polygon counts as less than one.
+      bound = std::min(bound, value / (n_fixed == 2 && has_upright ? 1.0 : ideal));
+    }
+  return bound;
+}
+
 std::vector<long> hopeless_elements(const Extrusion& extrusion, const std::vector<char>& fixed,
                                     const Points& points, const std::vector<long>& elements) {
   const ElementIndex index(extrusion);
   std::vector<long> hopeless;
   for (const long number : elements) {
     const SweptElement e = index.element(number);
-    const int n = extrusion.cell_size(e.cell);
-    const int* columns = extrusion.cell_columns.data() + extrusion.cell_offset[e.cell];
     bool is_hopeless = false;
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < extrusion.cell_size(e.cell); ++i)
       for (const int up : {0, 1}) {
-        const int k = e.k + up, next = columns[(i + 1) % n], last = columns[(i + n - 1) % n];
-        const long corner[4] = {extrusion.node(columns[i], k), extrusion.node(up ? last : next, k),
-                                extrusion.node(up ? next : last, k),
-                                extrusion.node(columns[i], up ? e.k : e.k + 1)};
-        if (!std::all_of(corner, corner + 4, [&](long c) { return fixed[c] != 0; })) continue;
+        const std::array<long, 4> corner = corner_nodes(extrusion, e, i, up);
+        if (!std::all_of(corner.begin(), corner.end(), [&](long c) { return fixed[c] != 0; }))
+          continue;
         const Point3 o = points.row(corner[0]);
         const Point3 a = points.row(corner[1]), b = points.row(corner[2]),
                      c = points.row(corner[3]);

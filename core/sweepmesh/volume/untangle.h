@@ -14,6 +14,7 @@
 #include "sweepmesh/base/geometry.h"
 #include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/base_metric.h"
+#include "sweepmesh/volume/element_index.h"
 #include "sweepmesh/volume/extrusion.h"
 #include "sweepmesh/volume/foldover_energy.h"
 
@@ -53,6 +54,12 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
                         const std::vector<char>& fixed, Points& points,
                         const UntangleOptions& options, const std::vector<long>& elements,
                         ThreadTeam& team, const Context& context);
+
+/// The most that an element's scaled Jacobian can be, wherever its free nodes are: at corners whose
+/// node and two or three neighbours are fixed, the sine of the angle between these sides, or the
+/// corner's own value. `fixed` as above.
+double bound_by_boundary(const Extrusion& extrusion, const std::vector<char>& fixed,
+                         const Points& points, SweptElement element);
 
 /// Elements that no position of the free nodes can make valid: a corner with all its nodes fixed is
 /// inverted or flat. Of those in `elements`.

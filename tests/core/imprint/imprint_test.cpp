@@ -9,7 +9,9 @@
 #include <set>
 
 #include "sweepmesh/imprint/imprint_caps.h"
+#include "sweepmesh/imprint/overlay.h"
 #include "sweepmesh/imprint/polyline.h"
+#include "sweepmesh/imprint/sweep_levels.h"
 #include "terraces.h"
 
 namespace sweepmesh {
@@ -117,6 +119,31 @@ std::size_t n_runs(const Imprint& imprint) {
   std::size_t n = 0;
   for (const Patch& p : imprint.patches) n += p.runs.size();
   return n;
+}
+
+/// Of upright solids: a part of a straight CAD edge is as long as the imprint edge it stands for,
+/// but for what curves were brought together.
+void expect_traces_fit(const Model& model, const Imprint& imprint, double moved) {
+  for (const ImprintEdge& e : imprint.edges)
+    for (const Trace& t : e.traces) {
+      const Point3 way = model.point(t.edge, t.last) - model.point(t.edge, t.first);
+      EXPECT_NEAR(way.head<2>().norm(), (e.points.back() - e.points.front()).norm(), moved)
+          << name_of(t.edge);
+    }
+}
+
+TEST(Imprint, SeveralCrossingsOnOneEdgeAreCutWhereTheyAre) {
+  const Model model = test::terraced({{rectangle(0, 0, 60, 30), 0, 20},
+                                      {rectangle(0, 0, 60, 15), -10, 10},
+                                      {rectangle(10, 0, 18, 30), 10, 30},
+                                      {rectangle(27, 0, 33, 30), 10, 34},
+                                      {rectangle(45, 0, 52, 30), 10, 38}});
+  expect_traces_fit(model, imprinted(model, 0.0), 1e-3 * size);
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const Model random = test::terraced(test::random_terraces(seed));
+    expect_traces_fit(random, imprinted(random, 0.0), 1e-2 * size);
+  }
 }
 
 TEST(Imprint, OneToOneIsOnePatchAndOneRun) {
@@ -291,6 +318,55 @@ TEST(ImprintErrors, ATargetTakenForASourceIsFound) {
   const FaceId cap = scheme.faces_with(FaceRole::target).front();
   scheme.face_role[cap.index] = FaceRole::source;
   EXPECT_EQ(error_of(model, scheme).failure(), ImprintFailure::open_run);
+}
+
+TEST(ImprintErrors, AMembraneThinnerThanTheTolerancesHasNoRoom) {
+  // Pockets from above and below: what is left between their floors is no level's height.
+  const double thin = 5e-6;
+  const Model model = test::terraced(
+      {{rectangle(0, 0, 60, 50), 0, 20}},
+      {{rectangle(10, 10, 40, 40), 10 + thin, 30}, {rectangle(20, 15, 50, 35), -10, 10}});
+  const ImprintError e = error_of(model, test::upright_scheme(model));
+  EXPECT_EQ(e.failure(), ImprintFailure::no_room);
+  EXPECT_EQ(e.entities().size(), 2u);
+}
+
+TEST(ImprintErrors, ALinkingFaceThatIsNoneLeavesTheSectionOpen) {
+  const Model model = two_steps(8);
+  Scheme scheme = test::upright_scheme(model);
+  const FaceId wall = scheme.faces_with(FaceRole::linking).front();
+  scheme.face_role[wall.index] = FaceRole::none;
+  const ImprintError e = error_of(model, scheme);
+  EXPECT_EQ(e.failure(), ImprintFailure::unreachable);
+  EXPECT_FALSE(e.entities().empty());
+}
+
+TEST(ImprintErrors, CurvesOfOneLevelOnOnePlaceCollide) {
+  const Model model = two_steps(8);
+  const Scheme scheme = test::upright_scheme(model);
+  const Context context;
+  const Walls walls = find_walls(model, scheme, sweep_levels(model, scheme));
+  Reference reference = projected_reference(model, walls, Point3::UnitZ(), 1e-3, context);
+  // One edge of a cap is laid onto another one of the same level.
+  const auto& first = reference.curves.front();
+  const auto is_apart = [&](const ReferenceCurve& c) {
+    std::set<VertexId> ends;
+    for (const EdgeId e : {c.edge, first.edge}) ends.insert({model.start(e), model.end(e)});
+    return ends.size() == 4 && walls.level[c.edge.index] == walls.level[first.edge.index];
+  };
+  const auto other = std::find_if(reference.curves.begin() + 1, reference.curves.end(), is_apart);
+  ASSERT_NE(other, reference.curves.end());
+  other->points = first.points;
+  for (const auto& [moved, onto] : {std::pair(model.start(other->edge), model.start(first.edge)),
+                                    std::pair(model.end(other->edge), model.end(first.edge))})
+    reference.vertex[moved.index] = reference.vertex[onto.index];
+  try {
+    overlay(model, scheme, walls, reference, 1e-3, context);
+    FAIL();
+  } catch (const ImprintError& e) {
+    EXPECT_EQ(e.failure(), ImprintFailure::collision);
+    EXPECT_FALSE(e.entities().empty());
+  }
 }
 
 TEST(ImprintErrors, OptionsThatMakeNoSense) {

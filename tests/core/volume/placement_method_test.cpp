@@ -136,14 +136,37 @@ TEST(PlacementMethods, DoNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(placed(solid, method, 1), placed(solid, method, 3)) << name_of(method);
 }
 
+TEST(PlacementMethods, MostServeManyToOneSweepsToo) {
+  const Map oblique = [](double x, double y, double w) {
+    return Point3(1.2 * x + 0.3 * y + w, y, 9 * w);
+  };
+  const auto from_one_level = [](const Point2& p) { return std::pair(0, p.x() > 0 ? 9 : 4); };
+  const auto to_one_level = [](const Point2& p) { return std::pair(p.x() > 0 ? 0 : 5, 9); };
+  const Solid up = make_steps(make_grid(6, 6), from_one_level, 9, oblique);
+  const Solid down = make_steps(make_grid(6, 6), to_one_level, 9, oblique);
+  using enum PlacementMethod;
+  for (const Solid& solid : {up, down}) {
+    for (const PlacementMethod method : {layer_affine, knupp_affine, least_squares_f,
+                                         least_squares_h, mean_value, triharmonic_rbf})
+      EXPECT_LT(largest_error(solid, method), 1e-8 * solid.size()) << name_of(method);
+    for (const PlacementMethod method : {green, harmonic_grid})
+      EXPECT_LT(largest_error(solid, method), 0.1 * solid.size()) << name_of(method);
+    for (const PlacementMethod method : {bm_sweep, boundary_error})
+      EXPECT_THROW(placed(solid, method), InputError) << name_of(method);
+  }
+}
+
 TEST(PlacementMethods, RefuseWhatTheyAreNotMadeFor) {
   const Map prism = [](double x, double y, double w) { return Point3(x, y, 9 * w); };
-  const Solid steps = make_steps(
-      make_grid(6, 6), [](const Point2& p) { return std::pair(0, p.x() > 0 ? 9 : 4); }, 9, prism);
+  const auto two_levels = [](const Point2& p) {
+    return p.x() > 0 ? std::pair(0, 5) : std::pair(3, 9);
+  };
+  const Solid steps = make_steps(make_grid(6, 6), two_levels, 9, prism);
   Solid bound = make_solid(make_grid(6, 6), 4, prism);
   bound.fixed[bound.extrusion.node(24, 2)] = 1;
-  for (const PlacementMethod method : all_placement_methods()) {
-    if (method == PlacementMethod::harmonic_residual) continue;
+  using enum PlacementMethod;
+  for (const PlacementMethod method :
+       {bm_sweep, boundary_error, mean_value, green, triharmonic_rbf, harmonic_grid}) {
     EXPECT_THROW(placed(steps, method), InputError) << name_of(method);
     EXPECT_THROW(placed(bound, method), InputError) << name_of(method);
   }

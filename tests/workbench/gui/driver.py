@@ -63,7 +63,7 @@ def settle(seconds=0.25):
         time.sleep(0.005)
 
 
-def wait_for(condition, seconds=30):
+def wait_for(condition, seconds=60):
     """Let Qt work until `condition()`; False when it did not come true in time."""
     end = time.time() + seconds
     while time.time() < end:

@@ -74,14 +74,12 @@ def close_panel():
 
 def nothing_selected(brick):
     FreeCADGui.Selection.clearSelection()
-    settle(0.6)
-    check("the command is off without a selection", not tool_button(COMMAND).isEnabled())
+    check("the command is off without a selection", lambda: not tool_button(COMMAND).isEnabled())
 
 
 def proposal_without_picks(brick):
     FreeCADGui.Selection.addSelection(brick)
-    settle(0.6)
-    check("the command is on for a solid", tool_button(COMMAND).isEnabled())
+    check("the command is on for a solid", lambda: tool_button(COMMAND).isEnabled())
     check("the panel opens with a proposal", open_panel())
     check("one source and one target are proposed", len(rows("sources")) == len(rows("targets")) == 1)
     picture("02_proposal")
@@ -95,7 +93,6 @@ def picks_taken_over(brick):
     click_face(brick, "Face2")
     picked = FreeCADGui.Selection.getSelectionEx()
     check("a click on the brick selects its face", picked and picked[0].SubElementNames == ("Face2",))
-    settle(0.6)
     check("the panel opens for a face", open_panel())
     check("the picked face is the source", rows("sources") == ["Face2"])
     check("its opposite is the target", rows("targets") == ["Face1"])
@@ -105,8 +102,8 @@ def picks_taken_over(brick):
 def picking_and_unpicking(brick):
     press(widget("pickTargets"))
     click_face(brick, "Face6")
-    check("a click picks a target", "Face6" in rows("targets"))
-    check("picking leaves nothing selected", not FreeCADGui.Selection.getSelectionEx())
+    check("a click picks a target", lambda: "Face6" in rows("targets"))
+    check("picking leaves nothing selected", lambda: not FreeCADGui.Selection.getSelectionEx())
     click_face(brick, "Face6")
     wait_for(lambda: rows("targets") == ["Face1"])
     check("a second click takes it back", "Face6" not in rows("targets"))
@@ -148,7 +145,7 @@ def meshing(document, brick):
 def undo_and_redo(document, brick):
     FreeCADGui.runCommand("Std_Undo")
     settle()
-    check("one undo takes the mesh away", document.Objects == [brick])
+    check("one undo takes the mesh away", lambda: document.Objects == [brick])
     FreeCADGui.runCommand("Std_Redo")
     settle()
     meshes = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemMeshObject")]

@@ -25,7 +25,6 @@ def steps():
     ups = [f"Face{i}" for i, face in enumerate(stairs.Shape.Faces, 1) if face.normalAt(0.5, 0.5).z > 0.9]
     downs = [f"Face{i}" for i, face in enumerate(stairs.Shape.Faces, 1) if face.normalAt(0.5, 0.5).z < -0.9]
     FreeCADGui.Selection.addSelection(stairs, (*ups, *downs))
-    settle(0.6)
     press(tool_button("Create sweep mesh"))
     check("the panel opens", wait_for(lambda: "can be swept" in widget("verdict").text()))
     check("no pairs at first", not is_shown("pairs"))
@@ -58,13 +57,13 @@ def pair_all(ups, down):
     check("its faces stay", len(rows("sources")) == 2)
 
 
-    check("half of the pairs is told to be none", wait_for(lambda: rows("reasons"), 10))
+    check("half of the pairs is told to be none", wait_for(lambda: rows("reasons")))
     note("reason", rows("reasons"))
     picture("02_half")
     mark("targets", down)
     mark("sources", ups[0])
     press(widget("pairFaces"))
-    check("the missing pair makes it whole", wait_for(lambda: "can be swept" in widget("verdict").text(), 10))
+    check("the missing pair makes it whole", wait_for(lambda: "can be swept" in widget("verdict").text()))
 
 
 def mesh(document, ups, down):

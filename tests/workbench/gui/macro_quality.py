@@ -25,10 +25,8 @@ def steps():
     frustum.ViewObject.Visibility = False
     note("message", mesh.Message)
     show_all()
-    settle(0.6)
-    check("the command is off without a mesh", not tool_button("Quality of the sweep mesh").isEnabled())
+    check("the command is off without a mesh", lambda: not tool_button("Quality of the sweep mesh").isEnabled())
     FreeCADGui.Selection.addSelection(mesh)
-    settle(0.6)
     press(tool_button("Quality of the sweep mesh"))
     check("the panel opens", wait_for(is_panel_open))
     check("all worst elements are listed", widget("worst").count() == min(20, mesh.Hexahedra))
@@ -97,7 +95,6 @@ def worst(mesh):
 
 def an_undone_mesh_closes_the_panel(document, mesh):
     FreeCADGui.Selection.addSelection(mesh)
-    settle(0.6)
     press(tool_button("Quality of the sweep mesh"))
     wait_for(is_panel_open)
     document.removeObject(mesh.Name)

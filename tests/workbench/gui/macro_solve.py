@@ -8,9 +8,10 @@ import FreeCAD
 import FreeCADGui
 import Part
 from driver import (
-    OUT, QtGui, answer_file_dialog, check, click_face, go, is_panel_open, is_shown, note, panel_button, picture, press, rows,
-    settle, show_all, tool_button, type_into, wait_for, widget,
+    OUT, answer_file_dialog, check, click_face, go, is_panel_open, note, panel_button, picture, press, rows, show_all,
+    tool_button, type_into,
 )
+from fem import constraint, look_at, new_analysis, show_stresses, solve
 
 FOLDER = pathlib.Path(OUT)
 
@@ -21,8 +22,14 @@ def steps():
     analysis = make_analysis(document, pipe, ends)
     mesh(document, analysis, pipe, ends)
     nodes_of_constraints(document, pipe, ends)
-    solve(document)
-    show_results(document)
+    results = solve(document)
+    largest = max(vector.Length for vector in results.DisplacementVectors)
+    note("largest displacement", largest)
+    check("the pipe gives way a little", 0.0001 < largest < 1.0)
+    show_stresses(document)
+    show_all()
+    picture("03_results")
+    FreeCADGui.Control.closeDialog()
     export(document)
 
 
@@ -39,45 +46,11 @@ def import_step():
 
 
 def make_analysis(document, pipe, ends):
-    FreeCADGui.activateWorkbench("FemWorkbench")
-    FreeCADGui.runCommand("FEM_Analysis")
-    wait_for(lambda: document.getObject("Analysis"))
-    FreeCADGui.runCommand("FEM_MaterialSolid")
-    wait_for(is_panel_open)
-    cards = widget("cb_materials")
-    cards.setCurrentIndex(next(i for i in range(cards.count()) if "CalculiX-Steel" in cards.itemText(i)))
-    cards.activated.emit(cards.currentIndex())
-    check("steel is chosen", "Steel" in cards.currentText())
-    press(panel_button("OK"))
-    wait_for(lambda: not is_panel_open())
+    analysis = new_analysis(document)
     constraint("FEM_ConstraintFixed", pipe, ends[0], "lw_references")
     constraint("FEM_ConstraintForce", pipe, ends[1], "listReferences", ("spinForce", "500"))
-    check("the analysis is complete but for the mesh", len(document.Analysis.Group) == 4)
-    return document.Analysis
-
-
-def constraint(command, pipe, face, listed, value=None):
-    """Put a constraint of FreeCAD's on a face by clicking on it."""
-    look_at(pipe, face)
-    FreeCADGui.runCommand(command)
-    wait_for(lambda: is_shown("btnAdd"))
-    if value:
-        type_into(*value)
-    press(widget("btnAdd"))
-    click_face(pipe, face)
-    check(f"{command}: the face is listed", lambda: rows(listed) == [f"{pipe.Name}:{face}"])
-    press(panel_button("OK"))
-    wait_for(lambda: not is_panel_open())
-
-
-def look_at(obj, face):
-    """Turn the view so that a face looks at the user."""
-    normal = obj.Shape.getElement(face).normalAt(0, 0)
-    back, up = normal + FreeCAD.Vector(0.3, 0.3, 0.5), FreeCAD.Vector(0, 0, 1)
-    view = FreeCADGui.ActiveDocument.ActiveView
-    view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(), up, back, "ZYX").Q)
-    view.fitAll()
-    settle()
+    check("the analysis is complete but for the mesh", len(analysis.Group) == 4)
+    return analysis
 
 
 def mesh(document, analysis, pipe, ends):
@@ -110,37 +83,6 @@ def nodes_of_constraints(document, pipe, ends):
         plane = face.Surface
         on_plane = {n for n, p in mesh.Nodes.items() if abs((p - plane.Position).dot(plane.Axis)) < 1e-6}
         check(f"{end}: those that lie on it", found == on_plane)
-
-
-def solve(document):
-    solver = next(m for m in document.Analysis.Group if m.isDerivedFrom("Fem::FemSolverObject"))
-    FreeCADGui.activateWorkbench("FemWorkbench")
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(solver)
-    FreeCADGui.runCommand("FEM_SolverRun")
-    check("FreeCAD's command solves it", lambda: document.getObject("CCX_Results"))
-    results = document.CCX_Results
-    check("there are results at every node", len(results.NodeNumbers) == document.SweepMesh.Nodes)
-    largest = max(vector.Length for vector in results.DisplacementVectors)
-    note("largest displacement", largest)
-    check("the pipe gives way a little", 0.0001 < largest < 1.0)
-
-
-def show_results(document):
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(document.CCX_Results)
-    FreeCADGui.runCommand("FEM_ResultShow")
-    check("FreeCAD shows the results", lambda: _stress_button())
-    document.SweepMesh.ViewObject.Visibility = False
-    press(_stress_button())
-    show_all()
-    picture("03_results")
-    FreeCADGui.Control.closeDialog()
-
-
-def _stress_button():
-    buttons = FreeCADGui.getMainWindow().findChildren(QtGui.QRadioButton)
-    return next((b for b in buttons if b.isVisible() and "Mises" in b.text()), None)
 
 
 def export(document):

@@ -2,6 +2,7 @@
 import os
 import pathlib
 import sys
+import time
 
 sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
@@ -41,7 +42,6 @@ def new_brick(name="Part"):
 def open_panel(obj):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(obj)
-    settle(0.6)
     press(tool_button("Create sweep mesh"))
     return wait_for(is_panel_open)
 
@@ -69,7 +69,7 @@ def an_unsweepable_solid():
     check("a click on a reason selects what it names", chosen == shown.item(0).data(QtCore.Qt.UserRole))
     picture("01_unsweepable")
     press(panel_button("OK"))
-    settle(1.0)
+    check("the run ends", lambda: not is_shown("progress") and rows("reasons"))
     check("no mesh is made of it", is_panel_open() and document.Objects == [ball])
     finish(document)
 
@@ -79,7 +79,7 @@ def start_fine_run(brick):
     wait_for(lambda: rows("sources"))
     type_into("meshSize", FINE)
     press(panel_button("OK"))
-    return wait_for(lambda: is_shown("progress"), 5)
+    return wait_for(lambda: is_shown("progress"))
 
 
 def a_run_that_is_stopped():
@@ -87,13 +87,15 @@ def a_run_that_is_stopped():
     check("a run shows its progress", start_fine_run(brick))
     picture("02_running")
     press(widget("stop"))
-    check("stop ends the run within a second", wait_for(lambda: widget("meshBox").isEnabled(), 1.5))
+    start = time.time()
+    check("stop ends the run", lambda: widget("meshBox").isEnabled())
+    note("seconds to stop", round(time.time() - start, 2))
     check("the panel stays, the document is as before", is_panel_open() and document.Objects == [brick])
     picture("03_stopped")
     press(panel_button("OK"))
-    settle(0.3)
+    wait_for(lambda: is_shown("progress"))
     press(panel_button("Cancel"))
-    check("cancel in mid-run closes the panel", wait_for(lambda: not is_panel_open(), 5))
+    check("cancel in mid-run closes the panel", lambda: not is_panel_open())
     check("and changes nothing", document.Objects == [brick])
     finish(document)
 
@@ -120,7 +122,7 @@ def a_shape_deleted_while_meshing():
     document, brick = new_brick()
     start_fine_run(brick)
     document.removeObject(brick.Name)
-    check("deleting the shape closes the panel", wait_for(lambda: not is_panel_open(), 5))
+    check("deleting the shape closes the panel", wait_for(lambda: not is_panel_open()))
     settle(0.5)
     check("and leaves no mesh", document.Objects == [])
     finish(document)
@@ -130,7 +132,7 @@ def a_document_closed_while_meshing():
     document, brick = new_brick()
     start_fine_run(brick)
     FreeCAD.closeDocument(document.Name)
-    check("closing the document closes the panel", wait_for(lambda: not is_panel_open(), 5))
+    check("closing the document closes the panel", wait_for(lambda: not is_panel_open()))
     settle(0.5)
 
 
@@ -153,7 +155,7 @@ def a_shape_edited_while_the_panel_is_open():
     wait_for(lambda: rows("sources"))
     brick.Length = 40
     document.recompute()
-    check("the verdict comes anew", wait_for(lambda: "can be swept" in widget("verdict").text(), 10))
+    check("the verdict comes anew", wait_for(lambda: "can be swept" in widget("verdict").text()))
     show_all()
     picture("05_edited")
     finish(document)

@@ -5,6 +5,7 @@ from sweepmesh.app.imprints import from_engine
 
 _BETWEEN = 0.25  # polygon offset: before the faces of FaceOverlay (0.5), behind the shape's edges (0)
 _GLOW = 0.25  # part of a colour that needs no light
+_FACE_DEPTH = 0.998  # facets of curved caps are not those that FreeCAD draws
 _DEPTH = 0.99  # of the depth buffer's range: brings the curves before the faces that they lie on
 _CURVE_COLOUR = (0.75, 0.0, 0.35)
 _CURVE_WIDTH = 3
@@ -63,10 +64,11 @@ class ImprintOverlay:
 
 
 def _face_style():
-    offset, hints = coin.SoPolygonOffset(), coin.SoShapeHints()
+    offset, hints, depth = coin.SoPolygonOffset(), coin.SoShapeHints(), coin.SoDepthBuffer()
+    depth.range = (0.0, _FACE_DEPTH)
     offset.factor = offset.units = _BETWEEN
     hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
-    return offset, hints
+    return offset, hints, depth
 
 
 def _part(colour, points, triangles):

@@ -9,7 +9,7 @@ COLOURS = {
 }
 _GLOW = 0.2  # part of the colour that needs no light, so that it can be told from all sides
 _BETWEEN = 0.5  # polygon offset: before the shape's faces (1), behind its edges (0)
-_DEVIATION = 0.002  # of the facets, as part of the shape's diagonal; for drawing only
+_COARSER = 1.1  # than FreeCAD's facets: those are kept then
 
 
 class FaceOverlay:
@@ -78,11 +78,14 @@ def _unpickable_separator():
 
 
 def _facets_of_faces(obj):
-    """{"Face1": (points, triangles)} in the object's own coordinates: its node places them."""
-    shape = obj.Shape.copy()
-    shape.Placement = obj.Placement.inverse().multiply(shape.Placement)
-    deviation = _DEVIATION * shape.BoundBox.DiagonalLength
-    return {f"Face{i}": face.tessellate(deviation) for i, face in enumerate(shape.Faces, 1)}
+    """{"Face1": (points, triangles)} in the object's own coordinates: its node places them.
+
+    The facets are those that FreeCAD draws, where it has drawn any: others would be now before, now behind them.
+    """
+    back, box = obj.Placement.inverse(), obj.Shape.BoundBox
+    deviation = _COARSER * getattr(obj.ViewObject, "Deviation", 0.5) * (box.XLength + box.YLength + box.ZLength) / 300
+    facets = [face.tessellate(max(deviation, 1e-9)) for face in obj.Shape.Faces]
+    return {f"Face{i}": (list(map(back.multVec, points)), three) for i, (points, three) in enumerate(facets, 1)}
 
 
 def _face_set(points, triangles):

@@ -217,6 +217,7 @@ class SweepPanel:
 
     def reject(self):
         """Cancel: stop what runs and leave the document as it is."""
+        self._restore_visibility()
         self._close()
         return True
 
@@ -249,7 +250,6 @@ class SweepPanel:
         remember(brep, options, result)
         title, lines = self._lines()
         self._restore_visibility()
-        self._visible = []
         recorder.run(self._shape.Document, title, lines)
         self._close()
 
@@ -279,10 +279,11 @@ class SweepPanel:
             obj.ViewObject.Visibility = obj == self._shape
         return before
 
-    def _restore_visibility(self):
+    def _restore_visibility(self, without=None):
         for obj, was_visible in self._visible:
-            if _is_alive(obj):
+            if obj != without:
                 obj.ViewObject.Visibility = was_visible
+        self._visible = []
 
     # --- the end --------------------------------------------------------------------------------------
 
@@ -290,7 +291,6 @@ class SweepPanel:
         """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
         self._is_open = False
         FreeCAD.removeDocumentObserver(self)
-        self._restore_visibility()
         self._assessor.close()
         self._mesher.close(wait=STOP_SECONDS)
         self._picking.close()
@@ -316,6 +316,7 @@ class SweepPanel:
     def slotDeletedObject(self, obj):
         """FreeCAD calls this when an object is about to be deleted."""
         if obj in (self._shape, self._mesh):
+            self._restore_visibility(without=obj)
             self._close()
 
 
@@ -325,13 +326,6 @@ def _leave_edit_and_close(document_name):
         if document.getInEdit():
             document.resetEdit()
     FreeCADGui.Control.closeDialog()
-
-
-def _is_alive(obj):
-    try:
-        return obj.Document is not None and obj.ViewObject is not None
-    except ReferenceError:
-        return False
 
 
 def _names(numbers):

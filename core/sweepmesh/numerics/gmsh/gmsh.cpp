@@ -1,5 +1,6 @@
 #include "sweepmesh/numerics/gmsh/gmsh.h"
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <limits>
@@ -108,11 +109,41 @@ class Reader {
   std::map<long, int> index_;
 };
 
+/// The domain in units of its mean segment, rounded: what differs by rounding errors only, or by
+/// its scale, gives the same mesh.
+class Units {
+ public:
+  explicit Units(const Loops& loops) : origin_(loops.front().front()) {
+    double sum = 0.0;
+    std::size_t n = 0;
+    for (const auto& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i, ++n)
+        sum += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+    unit_ = sum / static_cast<double>(n);
+  }
+
+  double rounded(double x) const { return std::round(x / unit_ * grid_) / grid_; }
+  Loops rounded(Loops loops) const {
+    for (auto& loop : loops)
+      for (Point2& p : loop) p = (p - origin_).unaryExpr([&](double x) { return rounded(x); });
+    return loops;
+  }
+  Point2 restored(const Point2& p) const { return unit_ * p + origin_; }
+
+ private:
+  static constexpr double grid_ = 1 << 18;
+  Point2 origin_;
+  double unit_ = 1.0;
+};
+
 }  // namespace
 
 GmshMesh mesh_by_gmsh(const Loops& loops, const GmshOptions& options, const Context& context) {
   const TemporaryDirectory directory;
-  write_geo(directory.path() / "cap.geo", loops, options);
+  const Units units(loops);
+  GmshOptions in_units = options;
+  in_units.size_max = units.rounded(options.size_max);
+  write_geo(directory.path() / "cap.geo", units.rounded(loops), in_units);
   const int status =
       run_process({"gmsh", "-2", "-nt", "1", "-format", "msh2", "-o", "cap.msh", "cap.geo"},
                   directory.path(), context);
@@ -122,6 +153,10 @@ GmshMesh mesh_by_gmsh(const Loops& loops, const GmshOptions& options, const Cont
   if (status != 0 || mesh.cells.empty())
     throw SolverError("surface", "Gmsh could not mesh a face: it ended with status " +
                                      std::to_string(status) + " and no mesh.");
+  for (Point2& p : mesh.points) p = units.restored(p);
+  std::size_t node = 0;
+  for (const auto& loop : loops)
+    for (const Point2& p : loop) mesh.points[node++] = p;
   return mesh;
 }
 
