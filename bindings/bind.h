@@ -12,6 +12,7 @@ void bind_errors(pybind11::module_& module);
 void bind_context(pybind11::module_& module);
 void bind_model(pybind11::module_& module);
 void bind_scheme(pybind11::module_& module);
+void bind_cuts(pybind11::module_& module);
 void bind_quality(pybind11::module_& module);
 void bind_sweep(pybind11::module_& module);
 void bind_plan(pybind11::module_& module);

@@ -7,6 +7,7 @@ PYBIND11_MODULE(_sweepmesh, module) {
   sweepmesh::bind_context(module);
   sweepmesh::bind_model(module);
   sweepmesh::bind_scheme(module);
+  sweepmesh::bind_cuts(module);
   sweepmesh::bind_quality(module);
   sweepmesh::bind_sweep(module);
   sweepmesh::bind_plan(module);

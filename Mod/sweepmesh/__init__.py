@@ -13,6 +13,8 @@
 from sweepmesh.engine import (
     Assessment,
     Cancelled,
+    Cut,
+    ImprintError,
     InputError,
     InvalidMeshError,
     Model,
@@ -27,12 +29,15 @@ from sweepmesh.engine import (
     face_at,
     mesh,
     read,
+    suggest_cut,
 )
 from sweepmesh.output import write
 
 __all__ = [
     "Assessment",
     "Cancelled",
+    "Cut",
+    "ImprintError",
     "InputError",
     "InvalidMeshError",
     "Model",
@@ -47,5 +52,6 @@ __all__ = [
     "face_at",
     "mesh",
     "read",
+    "suggest_cut",
     "write",
 ]

@@ -2,6 +2,8 @@
 
 import time
 
+import FreeCAD
+import Part
 import pytest
 import sweepmesh
 from gallery import cases
@@ -64,3 +66,67 @@ def test_sources_alone_lead_to_the_same_targets(case):
     found = sweepmesh.assess(model, Options(sources=both.sources))
     assert found.is_sweepable, [reason.text for reason in found.reasons]
     assert all(found.roles[f"Face{face}"] == "source" for face in both.sources)
+
+
+def named(shape, name):
+    """The face, edge or vertex of that name."""
+    kind, number = name.rstrip("0123456789"), int(name.lstrip("FaceEdgVrtx"))
+    return {"Face": shape.Faces, "Edge": shape.Edges, "Vertex": shape.Vertexes}[kind][number - 1]
+
+
+def read_shape(case):
+    """The solid for FreeCAD."""
+    shape = Part.Shape()
+    shape.read(str(case.path))
+    return shape
+
+
+def refused(name, scheme=-1):
+    """(shape, entities of the first reason) of a solid of the gallery."""
+    case = next(c for c in single_solids("unsweepable") if c.name == name and c.scheme == scheme)
+    model, shape = sweepmesh.read(case.path), read_shape(case)
+    reason = sweepmesh.assess(model, Options(**case.picks(model))).reasons[0]
+    return case, shape, [named(shape, entity) for entity in reason.entities]
+
+
+@pytest.mark.parametrize("name, radii", [("sphere_two_voids", [8, 8, 30]), ("sphere_three_voids", [7, 7, 7, 32])])
+def test_shells_that_nothing_links_are_named_all(name, radii):
+    _, _, entities = refused(name)
+    assert sorted(round(face.Surface.Radius, 6) for face in entities) == radii
+
+
+def test_the_drilled_ball_names_its_round_face():
+    _, _, entities = refused("genus3_cross_drilled")
+    assert [round(face.Surface.Radius, 6) for face in entities if isinstance(face, Part.Face)] == [30]
+    assert all(isinstance(entity, Part.Face) for entity in entities)
+
+
+@pytest.mark.parametrize("scheme", [-1, 0])
+def test_the_curved_hole_names_its_wall_and_a_straight_edge(scheme):
+    _, shape, entities = refused("curved_through_hole", scheme)
+    faces = [entity for entity in entities if isinstance(entity, Part.Face)]
+    edges = [entity for entity in entities if isinstance(entity, Part.Edge)]
+    bent = [face for face in shape.Faces if not isinstance(face.Surface, Part.Plane)]
+    assert len(faces) == 1 and len(edges) == 2
+    assert any(faces[0].isSame(face) for face in bent), "not the wall of the hole"
+    seam = max(edges, key=lambda edge: edge.Length)
+    assert any(seam.isSame(edge) for edge in faces[0].Edges) and seam.Length > 70
+    straight = min(edges, key=lambda edge: edge.Length)
+    assert abs(straight.Length - 70) < 1e-6 and abs(abs(straight.tangentAt(0).z) - 1) < 1e-6
+
+
+def test_impossible_pairs_name_the_pair_and_the_walls_between():
+    case, shape, entities = refused("prescribed_mismatch", 0)
+    pair = entities[:2]
+    assert sorted(round(face.CenterOfMass.z, 6) for face in pair) == [0, 36]
+    wanted = case.entry["schemes"][0]
+    tops = [FreeCAD.Vector(*point) for point in wanted["sources"]]
+    feet = [FreeCAD.Vector(*point) for point in wanted["targets"]]
+    source, target = sorted(pair, key=lambda face: -face.CenterOfMass.z)
+    assert any(
+        source.distToShape(Part.Vertex(tops[i]))[0] < 1e-6 and target.distToShape(Part.Vertex(feet[k]))[0] < 1e-6
+        for i, k in wanted["pairs"]
+    ), "not a pair that was picked"
+    walls = entities[2:]
+    assert walls and all(abs(face.normalAt(0, 0).z) < 1e-6 for face in walls)
+    assert all(wall.distToShape(target)[0] < 1e-6 for wall in walls), "a wall that does not stand on the target"

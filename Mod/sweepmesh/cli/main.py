@@ -52,7 +52,7 @@ def _run(arguments):
         output.check_path(path)
     if arguments.report:
         output.check_folder(arguments.report)
-    state = {"assessment": None, "result": None, "seconds": {}, "warnings": []}
+    state = {"assessment": None, "result": None, "seconds": {}, "warnings": [], "cut": None}
     try:
         _work(arguments, state)
     except engine.SweepMeshError as error:
@@ -84,6 +84,8 @@ def _work(arguments, state):
         if arguments.assess:
             with _timed(seconds, "assess"):
                 state["assessment"] = engine.assess(shape.model, options, progress)
+            if not state["assessment"].is_sweepable:
+                _look_for_cut(shape.model, options, state, progress)
             return
         result = engine.mesh(shape.model, options, progress)
         warnings += result.warnings
@@ -91,6 +93,14 @@ def _work(arguments, state):
         if result.assessment.is_sweepable:
             with _timed(seconds, "write"):
                 write_all(arguments.out, result, shape, options, progress)
+
+
+def _look_for_cut(model, options, state, progress):
+    """Adds the plane that would help, where there is one, to the state and to the first reason."""
+    cut = engine.suggest_cut(model, options, progress)
+    if cut:
+        state["cut"] = cut
+        state["assessment"].reasons[0].text += " " + cut.text
 
 
 def make_options(arguments, model):

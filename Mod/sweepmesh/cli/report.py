@@ -8,17 +8,18 @@ BAR_WIDTH = 40
 STAGES = ["read", "assess", "imprint", "intervals", "surface", "place", "quality", "write", "total"]
 
 
-def make_report(assessment=None, result=None, seconds=None, warnings=(), error=None):
+def make_report(assessment=None, result=None, seconds=None, warnings=(), error=None, cut=None):
     """The report as a plain dict; its keys are always the same.
 
     `error` is the SweepMeshError that ended the run, its sentence, stage and entities go in; the verdict is
-    then None unless the assessment is known.
+    then None unless the assessment is known. `cut` is the engine's Cut that would help, if one was looked for.
     """
     times = {**(result.seconds if result else {}), **(seconds or {})}
     return {
         "version": __version__,
         "verdict": assessment.verdict if assessment else None,
         "reasons": [vars(reason) for reason in assessment.reasons] if assessment else [],
+        "suggested_cut": cut.as_report() if cut else None,
         "scheme": assessment.roles if assessment else {},
         "size": result.size if result else None,
         "layers": result.n_layers if result else None,

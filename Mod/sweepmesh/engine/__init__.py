@@ -1,8 +1,10 @@
 """Assess and mesh solids: plain values in, plain values out (no FreeCAD, no Qt)."""
 
 from sweepmesh.engine._sweepmesh import __version__
+from sweepmesh.engine.cuts import Cut, suggest_cut
 from sweepmesh.engine.errors import (
     Cancelled,
+    ImprintError,
     InputError,
     InvalidMeshError,
     SolverError,
@@ -20,9 +22,11 @@ from sweepmesh.engine.stages import assess, mesh
 __all__ = [
     "Assessment",
     "Cancelled",
+    "Cut",
     "EdgeDirection",
     "FaceCorner",
     "Imprint",
+    "ImprintError",
     "InputError",
     "InvalidMeshError",
     "Model",
@@ -42,4 +46,5 @@ __all__ = [
     "mesh",
     "plan",
     "read",
+    "suggest_cut",
 ]

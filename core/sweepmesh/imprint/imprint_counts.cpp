@@ -39,6 +39,7 @@ class Demands {
       for (std::size_t i = 1; i < e.traces.size(); ++i)
         keep_apart(model_.start(e.traces[i - 1].edge), model_.start(e.traces[i].edge),
                    name_of(e.traces[i - 1].edge), name_of(e.traces[i].edge));
+    keep_curves_apart();
     for (const ImprintVertex& v : imprint_.vertices) add_column(v);
     for (const FaceId f : scheme_.faces_with(FaceRole::linking)) add_offsets(f);
   }
@@ -106,6 +107,21 @@ class Demands {
       demand(Kind::even, around, 0.0, names,
              "the number of mesh edges around the patch between " + names[0] + " and " + names[1] +
                  " must be even");
+  }
+
+  /// Two curves with the same ends would be the same chord.
+  void keep_curves_apart() {
+    std::map<std::pair<int, int>, std::vector<std::size_t>> between;
+    for (std::size_t e = 0; e < imprint_.edges.size(); ++e)
+      between[std::minmax(imprint_.edges[e].start, imprint_.edges[e].end)].push_back(e);
+    for (const auto& [ends, edges] : between)
+      for (std::size_t i = 0; i < edges.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const std::string a = name_of(imprint_.edges[edges[i]].traces.front().edge);
+          const std::string b = name_of(imprint_.edges[edges[j]].traces.front().edge);
+          demand(Kind::at_least, {{edge_[edges[i]], 1.0}, {edge_[edges[j]], 1.0}}, 3.0, {a, b},
+                 a + " and " + b + " must not be the same mesh edge");
+        }
   }
 
   // --- layers ------------------------------------------------------------------------------------
