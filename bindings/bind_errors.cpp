@@ -1,8 +1,10 @@
-// The core's exceptions as Python classes with the attributes stage, entities and elements.
+// The core's exceptions as Python classes with the attributes stage, entities, elements and
+// failure.
 #include <pybind11/stl.h>
 
 #include "bind.h"
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/imprint/imprint.h"
 
 namespace py = pybind11;
 
@@ -10,7 +12,7 @@ namespace sweepmesh {
 namespace {
 
 // Python's own classes, in the order of Kind. The interpreter never unloads them.
-enum Kind { base, input, solver, invalid_mesh, cancelled, n_kinds };
+enum Kind { base, input, solver, invalid_mesh, imprint, cancelled, n_kinds };
 PyObject* classes[n_kinds];
 
 PyObject* make_class(py::module_& module, const char* name, const char* doc, PyObject* parent) {
@@ -24,12 +26,40 @@ PyObject* make_class(py::module_& module, const char* name, const char* doc, PyO
   return made;
 }
 
-void raise(Kind kind, const Error& error, const std::vector<long>* elements = nullptr) {
+py::object instance(Kind kind, const Error& error) {
   py::object made = py::handle(classes[kind])(error.what());
   made.attr("stage") = error.stage();
   made.attr("entities") = error.entities();
-  if (elements) made.attr("elements") = *elements;
-  PyErr_SetObject(classes[kind], made.ptr());
+  return made;
+}
+
+void raise(Kind kind, const py::object& error) {
+  PyErr_SetObject(classes[kind], error.ptr());
+}
+
+void raise(Kind kind, const Error& error) {
+  raise(kind, instance(kind, error));
+}
+
+template <class Value>
+void raise(Kind kind, const Error& error, const char* name, const Value& value) {
+  const py::object made = instance(kind, error);
+  made.attr(name) = value;
+  raise(kind, made);
+}
+
+const char* name_of(ImprintFailure failure) {
+  switch (failure) {
+    case ImprintFailure::unreachable:
+      return "unreachable";
+    case ImprintFailure::collision:
+      return "collision";
+    case ImprintFailure::open_run:
+      return "open_run";
+    case ImprintFailure::no_room:
+      return "no_room";
+  }
+  return "";
 }
 
 void translate(std::exception_ptr thrown) {
@@ -38,7 +68,9 @@ void translate(std::exception_ptr thrown) {
   } catch (const Cancelled& error) {
     raise(cancelled, error);
   } catch (const InvalidMeshError& error) {
-    raise(invalid_mesh, error, &error.elements());
+    raise(invalid_mesh, error, "elements", error.elements());
+  } catch (const ImprintError& error) {
+    raise(imprint, error, "failure", name_of(error.failure()));
   } catch (const InputError& error) {
     raise(input, error);
   } catch (const SolverError& error) {
@@ -63,6 +95,10 @@ void bind_errors(py::module_& module) {
   classes[invalid_mesh] = make_class(module, "InvalidMeshError",
                                      "No valid mesh was found; `elements` stay inverted.", parent);
   py::handle(classes[invalid_mesh]).attr("elements") = py::tuple();
+  classes[imprint] = make_class(
+      module, "ImprintError",
+      "Sources and targets cannot be divided by each other; `failure` says how.", parent);
+  py::handle(classes[imprint]).attr("failure") = "";
   classes[cancelled] = make_class(module, "Cancelled", "The caller asked to stop.", parent);
   py::register_exception_translator(&translate);
 }

@@ -6,6 +6,7 @@ fail() { echo "sweepmesh: $1" >&2; exit 1; }
 [ $# -eq 0 ] || [ -f "$1" ] || fail "There is no file $1."
 [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || fail "There is no display to open FreeCAD on."
 
+"$root/scripts/translations.sh"
 mods="${FREECAD_USER_HOME:-${XDG_DATA_HOME:-$HOME/.local/share}/FreeCAD}/Mod"
 if [ "$(readlink -f "$mods/SweepMesh")" != "$root" ]; then
   mkdir -p "$mods"

@@ -8,6 +8,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>, {} pairs of patches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Across x</source>
       <translation type="unfinished" />
     </message>
@@ -45,6 +49,10 @@
     </message>
     <message>
       <source>Create sweep mesh</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Cut the solid</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -413,11 +421,15 @@
   <context>
     <name>SweepMeshPreview</name>
     <message>
-      <source>Dots are the nodes that the mesh is to have on the edges, numbers say how many mesh edges lie between. Edges along the sweep are blue, edges within a layer orange.</source>
+      <source>Dots are the nodes that the mesh is to have on the edges, numbers say how many mesh edges lie between. Edges along the sweep are blue, edges within a layer brown.</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>How linking faces turn at their vertices: E end, S side, C corner, R reversal</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Imprinted curves</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -433,7 +445,19 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Number of mesh edges on each edge: blue along the sweep, orange across it</source>
+      <source>Number of mesh edges on each edge: blue along the sweep, brown across it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Outlines of other sources and targets, carried over along the sweep</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Paired patches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Parts of sources and targets in one colour are swept to each other</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -446,6 +470,10 @@
     </message>
     <message>
       <source>Sources are drawn orange, targets blue, linking faces pale</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The imprinted curves divide sources and targets into patches. Each patch of a target is swept to the patch of a source in the same colour.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -462,6 +490,10 @@
     </message>
     <message>
       <source>Vertex types</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Where a sweep has several sources or targets, the outline of each is carried along the sweep to the caps above and below it and divides them. The solid itself is not cut.</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -527,6 +559,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Cut there</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Each layer is so many times as thick as the one before, from the targets to the sources; 1: even layers</source>
       <translation type="unfinished" />
     </message>
@@ -564,6 +600,10 @@
     </message>
     <message>
       <source>Layers grow from both ends to the middle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make the pieces of the solid as a new object, cut along the plane that is drawn, and go on with them</source>
       <translation type="unfinished" />
     </message>
     <message>

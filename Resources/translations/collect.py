@@ -48,19 +48,43 @@ def _add_form(found, path):
             found.setdefault(context, set()).add(element.text)
 
 
-def as_ts(found):
-    """Return the text of a .ts file with these texts, none of them translated."""
+def translated(path):
+    """Return {(context, text): translation} of a .ts file, finished ones only; empty where there is no file."""
+    done = {}
+    for entry in ElementTree.parse(path).getroot().iter("context") if path.exists() else ():
+        for message in entry.iter("message"):
+            translation = message.find("translation")
+            if translation.get("type") is None and translation.text:
+                done[entry.findtext("name"), message.findtext("source")] = translation.text
+    return done
+
+
+def as_ts(found, done=None, language=None):
+    """Return the text of a .ts file with these texts, translated as far as `done` has them."""
     root = ElementTree.Element("TS", version="2.1", sourcelanguage="en")
+    if language:
+        root.set("language", language)
     for context, texts in found.items():
         entry = ElementTree.SubElement(root, "context")
         ElementTree.SubElement(entry, "name").text = context
         for text in texts:
             message = ElementTree.SubElement(entry, "message")
             ElementTree.SubElement(message, "source").text = text
-            ElementTree.SubElement(message, "translation", type="unfinished")
+            text = (done or {}).get((context, text))
+            ElementTree.SubElement(message, "translation", {} if text else {"type": "unfinished"}).text = text
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE TS>\n' + ElementTree.tostring(root, "unicode") + "\n"
 
 
+def files():
+    """Return {path: what it should hold}: the template, and every translation with what it has already."""
+    found = collect()
+    made = {HERE / "SweepMesh.ts": as_ts(found)}
+    for path in HERE.glob("SweepMesh_*.ts"):
+        made[path] = as_ts(found, translated(path), path.stem.partition("_")[2])
+    return made
+
+
 if __name__ == "__main__":
-    (HERE / "SweepMesh.ts").write_text(as_ts(collect()), encoding="utf-8")
+    for target, content in files().items():
+        target.write_text(content, encoding="utf-8")

@@ -1,5 +1,6 @@
 #include "sweepmesh/imprint_shapes.h"
 
+#include <exception>
 #include <map>
 #include <utility>
 
@@ -32,9 +33,11 @@ std::vector<CapDivision> caps_of_shell(const Model& model, const Shell& shell) {
 
 class ShapeMaker {
  public:
-  ShapeMaker(ImprintShapes& out, double merge_fraction, Context& context)
-      : out_(out), merge_fraction_(merge_fraction), context_(context) {}
+  ShapeMaker(ImprintShapes& out, std::vector<double> merge_fractions, Context& context)
+      : out_(out), merge_fractions_(std::move(merge_fractions)), context_(context) {}
 
+  /// Where near curves, brought together within one distance, cannot be imprinted or drawn, within
+  /// the next one, as sweep() does.
   void add_solid(const Model& model, const Scheme& scheme) {
     if (is_one_to_one(scheme)) return add(whole_caps(model, scheme), scheme, 1);
     if (is_shell_like(model, scheme)) {
@@ -42,12 +45,15 @@ class ShapeMaker {
       const int n_pairs = static_cast<int>(caps.size()) / 2;
       return add(std::move(caps), scheme, n_pairs);
     }
-    const Imprint imprint = imprint_caps(
-        model, scheme, {.size = out_.size, .merge_fraction = merge_fraction_}, context_);
-    int n_runs = 0;
-    for (const Patch& p : imprint.patches) n_runs += static_cast<int>(p.runs.size());
-    out_.merges.insert(out_.merges.end(), imprint.merges.begin(), imprint.merges.end());
-    add(divide_caps(model, scheme, imprint, context_), scheme, n_runs);
+    std::exception_ptr first;
+    for (const double fraction : merge_fractions_) try {
+        return add_imprint(model, scheme, fraction);
+      } catch (const InvalidMeshError&) {
+        if (!first) first = std::current_exception();
+      } catch (const ImprintError&) {
+        if (!first) first = std::current_exception();
+      }
+    std::rethrow_exception(first);
   }
 
   void make_shapes() {
@@ -66,6 +72,16 @@ class ShapeMaker {
   }
 
  private:
+  void add_imprint(const Model& model, const Scheme& scheme, double merge_fraction) {
+    const ImprintOptions how{.size = out_.size, .merge_fraction = merge_fraction};
+    const Imprint imprint = imprint_caps(model, scheme, how, context_);
+    auto caps = divide_caps(model, scheme, imprint, context_);
+    int n_runs = 0;
+    for (const Patch& p : imprint.patches) n_runs += static_cast<int>(p.runs.size());
+    out_.merges.insert(out_.merges.end(), imprint.merges.begin(), imprint.merges.end());
+    add(std::move(caps), scheme, n_runs);
+  }
+
   void add(std::vector<CapDivision> caps, const Scheme& scheme, int n_pairs) {
     for (CapDivision& c : caps) {
       for (auto& side : c.sides) side.left += out_.n_pairs, side.right += out_.n_pairs;
@@ -79,7 +95,7 @@ class ShapeMaker {
   }
 
   ImprintShapes& out_;
-  double merge_fraction_;
+  std::vector<double> merge_fractions_;
   Context& context_;
   std::vector<CapDivision> caps_;
   std::vector<bool> is_source_;  ///< by cap
@@ -99,7 +115,7 @@ ImprintShapes imprint_solids(const std::vector<Model>& solids, const Picks& pick
     verdicts.push_back(assess(solid, picks_on(solid, picks), context));
   out.assessment = solids.size() == 1 ? verdicts.front() : merged_verdicts(verdicts);
   if (!out.assessment.is_sweepable()) return out;
-  ShapeMaker maker(out, merge_fractions(options, out.size).front(), context);
+  ShapeMaker maker(out, merge_fractions(options, out.size), context);
   for (std::size_t s = 0; s < solids.size(); ++s)
     maker.add_solid(solids[s], verdicts[s].schemes.front());
   maker.make_shapes();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <exception>
+#include <set>
 #include <utility>
 
 #include "sweepmesh/boundary.h"
@@ -23,6 +24,29 @@ void forget_unused_edges(const BoundaryMesh& boundary, Intervals& intervals) {
     if (o.kind == EntityKind::edge) is_used[o.index] = 1;
   for (std::size_t e = 0; e < is_used.size(); ++e)
     if (!is_used[e] && intervals.edge[e] > 1) intervals.edge[e] = 0;
+}
+
+/// The CAD faces that runs have nodes on.
+std::vector<std::string> faces_of(const BoundaryMesh& boundary, const std::vector<int>& runs) {
+  std::set<int> faces;
+  for (const int r : runs)
+    for (const ColumnId column : boundary.runs[r].columns)
+      for (const NodeId node : boundary.columns[column.index].nodes)
+        if (node.is_valid() && boundary.surface.owner[node.index].kind == EntityKind::face)
+          faces.insert(boundary.surface.owner[node.index].index);
+  std::vector<std::string> out;
+  for (const int f : faces) out.push_back(name_of(FaceId{f}));
+  return out;
+}
+
+BoundaryMesh without_overlaps(BoundaryMesh boundary) {
+  const std::vector<int> runs = overlapping_runs(boundary.runs);
+  if (!runs.empty())
+    throw InvalidMeshError("surface",
+                           std::to_string(runs.size()) +
+                               " cells of the caps' mesh lie over each other; try another size.",
+                           faces_of(boundary, runs), {});
+  return boundary;
 }
 
 VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
@@ -83,7 +107,8 @@ class SchemeMesher {
         "intervals", [&] { return assign_intervals(model_, scheme_, intervals_, context_); });
     context_.report(0.2, "Meshing the surface");
     return clock_.run("surface", [&] {
-      return sweepmesh::mesh_boundary(model_, scheme_, out_.intervals, intervals_, kind_, context_);
+      return without_overlaps(
+          sweepmesh::mesh_boundary(model_, scheme_, out_.intervals, intervals_, kind_, context_));
     });
   }
 
@@ -118,7 +143,8 @@ class SchemeMesher {
     out_.intervals = counts.intervals;
     context_.report(0.2, "Meshing the surface");
     return clock_.run("surface", [&] {
-      return mesh_imprinted_boundary(model_, scheme_, imprint, counts, intervals_, kind_, context_);
+      return without_overlaps(
+          mesh_imprinted_boundary(model_, scheme_, imprint, counts, intervals_, kind_, context_));
     });
   }
 
@@ -132,7 +158,8 @@ class SchemeMesher {
     out_.intervals = counts.intervals;
     context_.report(0.2, "Meshing the surface");
     return clock_.run("surface", [&] {
-      return mesh_shell_boundary(model_, scheme_, shell, counts, intervals_, kind_, context_);
+      return without_overlaps(
+          mesh_shell_boundary(model_, scheme_, shell, counts, intervals_, kind_, context_));
     });
   }
 

@@ -51,8 +51,7 @@ int nearest_turn(const std::vector<NodeId>& high, const std::vector<NodeId>& low
   int best = 0;
   for (std::size_t by = 0; by < b.size(); ++by) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      sum += (a[i] - b[(i + by) % b.size()]).squaredNorm();
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[(i + by) % b.size()]).squaredNorm();
     if (sum < least) least = sum, best = static_cast<int>(by);
   }
   return best;
@@ -226,8 +225,7 @@ class ShellMesher {
 
   std::vector<CapNode> nodes_on(const DirectedEdge& d, FaceId face, bool is_high) const {
     const SideNodes& side = is_high ? nodes_[d.edge].high : nodes_[d.edge].low;
-    const ShellTrace& trace =
-        is_high ? shell_.edges[d.edge].high : shell_.edges[d.edge].low;
+    const ShellTrace& trace = is_high ? shell_.edges[d.edge].high : shell_.edges[d.edge].low;
     Coedge coedge;
     if (trace.edge.is_valid())
       for (const Coedge& c : model_.coedges(trace.edge))
@@ -290,9 +288,9 @@ class ShellMesher {
   Context& context_;
   BoundaryMesh out_;
   EdgeMesh edges_;
-  std::vector<BothSides> nodes_;      ///< by shell edge
-  std::vector<VertexNodes> vertex_;   ///< by shell vertex
-  std::vector<ColumnId> column_at_;   ///< by surface node
+  std::vector<BothSides> nodes_;     ///< by shell edge
+  std::vector<VertexNodes> vertex_;  ///< by shell vertex
+  std::vector<ColumnId> column_at_;  ///< by surface node
 };
 
 }  // namespace

@@ -14,10 +14,13 @@
 
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/boundary.h"
+#include "sweepmesh/imprint/imprint_caps.h"
+#include "sweepmesh/imprinted_boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/assess.h"
+#include "sweepmesh/scheme_mesh.h"
 #include "sweepmesh/volume/assemble.h"
 #include "sweepmesh/volume/place.h"
 
@@ -41,9 +44,17 @@ Assembly assemble_boundary(const Model& model, const Picks& picks, double size, 
   IntervalOptions intervals;
   intervals.size = size;
   const Scheme& scheme = assessment.schemes.front();
-  const Intervals counts = assign_intervals(model, scheme, intervals, context);
-  const BoundaryMesh boundary =
-      mesh_boundary(model, scheme, counts, intervals, CellKind::quad, context);
+  const auto mesh = [&] {
+    if (is_one_to_one(scheme)) {
+      const Intervals counts = assign_intervals(model, scheme, intervals, context);
+      return mesh_boundary(model, scheme, counts, intervals, CellKind::quad, context);
+    }
+    const Imprint imprint = imprint_caps(model, scheme, {.size = size}, context);
+    const ImprintCounts counts = count_imprint(model, scheme, imprint, intervals, context);
+    return mesh_imprinted_boundary(model, scheme, imprint, counts, intervals, CellKind::quad,
+                                   context);
+  };
+  const BoundaryMesh boundary = mesh();
   return assemble(boundary.surface, boundary.columns, boundary.runs);
 }
 
@@ -59,7 +70,8 @@ void print_row(const char* name, const Assembly& assembly, PlacementMethod metho
   } catch (const InvalidMeshError& e) {
     note = e.what();
   } catch (const Error& e) {
-    std::printf("%-30s %-18s %s\n", name, name_of(method).c_str(), e.what());
+    std::printf("%-30s %-18s %7s %7s %8s %8s %8s  %s\n", name, name_of(method).c_str(), "-", "-",
+                "-", "-", "-", e.what());
     return;
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

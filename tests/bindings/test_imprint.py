@@ -5,7 +5,7 @@ import pytest
 from gallery import cases
 
 from sweepmesh import engine, read
-from sweepmesh.engine import InputError, Options
+from sweepmesh.engine import ImprintError, InputError, Options
 
 REFUSED = {"hollow_box_shell-scheme0", "pipe_junction-scheme0"}
 """Imprinting does not serve these."""
@@ -150,3 +150,18 @@ def test_an_unsweepable_solid_has_nothing_but_reasons():
 def test_wrong_options_are_refused():
     with pytest.raises(InputError):
         engine.imprint(Part.makeBox(1, 1, 1).exportBrepToString(), Options(size=-1.0))
+
+
+def test_imprint_errors_say_how_they_failed():
+    """Pockets from above and below with a membrane between them that is thinner than the tolerances."""
+    shape = Part.makeBox(60, 50, 20)
+    above, below = Part.makeBox(30, 30, 20), Part.makeBox(30, 20, 20)
+    above.translate((10, 10, 10 + 5e-6))
+    below.translate((20, 15, -10))
+    shape = shape.cut([above, below])
+    with pytest.raises(ImprintError) as caught:
+        imprinted(shape, 4.0)
+    assert caught.value.failure == "no_room" and caught.value.stage == "imprint"
+    assert len(caught.value.entities) == 2
+    with pytest.raises(ImprintError):
+        engine.mesh(shape.exportBrepToString(), upwards(shape, size=4.0))

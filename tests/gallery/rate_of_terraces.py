@@ -38,6 +38,7 @@ class Outcome:
     n_elements: int = 0
     """0: it was not meshed."""
     n_nodes: int = 0
+    n_layers: int = 0
     quality: float = 0.0
     """Least scaled Jacobian."""
     refusal: str = ""
@@ -72,16 +73,17 @@ def attempt(seed, scale=1.0, check=True):
         result = mesh(model, Options(size=size, sources=sources, targets=targets))
     except SweepMeshError as error:
         assert error.stage and error.entities and str(error).endswith("."), f"{seed}: {type(error)} {error}"
-        return Outcome(seed, 0, 0, 0.0, f"{type(error).__name__}: {error}", error.entities, time.monotonic() - start)
+        text = f"{type(error).__name__}: {error}"
+        return Outcome(seed, refusal=text, entities=error.entities, seconds=time.monotonic() - start)
     seconds = time.monotonic() - start
     if not result.assessment.is_sweepable:
         reason = result.assessment.reasons[0]
         assert reason.entities, f"{seed}: {reason.text}"
-        return Outcome(seed, 0, 0, 0.0, f"{reason.kind}: {reason.text}", reason.entities, seconds)
+        return Outcome(seed, refusal=f"{reason.kind}: {reason.text}", entities=reason.entities, seconds=seconds)
     if check:
         expect_valid_sweep(result, model)
     least = result.quality["min_scaled_jacobian"]
-    return Outcome(seed, result.n_elements, len(result.points), least, "", [], seconds)
+    return Outcome(seed, result.n_elements, len(result.points), result.n_layers, least, seconds=seconds)
 
 
 def table(seeds):

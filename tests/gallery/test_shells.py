@@ -146,6 +146,24 @@ def test_open_shells_sweep_through_their_wall(name, tmp_path):
     expect_good(*swept(outer, inner, tmp_path), least, tmp_path)
 
 
+def sector(degrees, n):
+    """Part of a tube, its walls divided into n faces each."""
+    part = Part.makeCylinder(20, 60, at(), Z, degrees / n).cut(rod(12, 60))
+    parts = [turned(part, degrees / n * k) for k in range(n)]
+    return parts[0].fuse(parts[1:])
+
+
+@pytest.mark.parametrize("degrees, n", [(100, 3), (150, 3), (170, 2), (240, 4)])
+def test_part_of_a_divided_pipe_wall_sweeps_like_a_straight_one(degrees, n, tmp_path):
+    shape = sector(degrees, n).Solids[0]
+    path = tmp_path / "shell.step"
+    shape.exportStep(str(path))
+    walls = [(k, f.Surface.Radius) for k, f in enumerate(Part.read(str(path)).Faces, 1) if isinstance(f.Surface, Part.Cylinder)]
+    sources, targets = ([k for k, radius in walls if abs(radius - r) < 1e-6] for r in (20, 12))
+    model = read(path)
+    expect_good(path, model, mesh(model, Options(size=3.5, sources=sources, targets=targets)), 0.98, tmp_path)
+
+
 @pytest.mark.parametrize("name", ["ball_in_ball", "box_in_box", "tube", "tee"])
 def test_layers_are_as_many_as_asked_for(name, tmp_path):
     outer, inner, least = {**CLOSED, **OPEN}[name]

@@ -4,6 +4,7 @@ from sweepmesh.engine._sweepmesh import __version__
 from sweepmesh.engine.cuts import Cut, suggest_cut
 from sweepmesh.engine.errors import (
     Cancelled,
+    ImprintError,
     InputError,
     InvalidMeshError,
     SolverError,
@@ -25,6 +26,7 @@ __all__ = [
     "EdgeDirection",
     "FaceCorner",
     "Imprint",
+    "ImprintError",
     "InputError",
     "InvalidMeshError",
     "Model",

@@ -13,9 +13,18 @@ def icon(name):
     return str(RESOURCES / "icons" / f"{name}.svg")
 
 
+def page(name):
+    """Return the path of a page of the documentation, for FreeCAD's "What's this?" on commands."""
+    return str(RESOURCES.parent / "docs" / f"{name}.md")
+
+
 def load_form(name):
-    """Return a new widget made from Resources/ui/`name`.ui."""
-    return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
+    """Return a new widget made from Resources/ui/`name`.ui. "What's this?" says at least what the tooltip says."""
+    form = FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
+    for field in form.findChildren(QtGui.QWidget):
+        if field.toolTip() and not field.whatsThis():
+            field.setWhatsThis(field.toolTip())
+    return form
 
 
 class Widgets:

@@ -33,7 +33,7 @@ def is_single_solid_selected():
 def is_single_sweep_selected():
     """Is one sweep mesh that has elements selected, and no panel open?"""
     mesh = selected_sweep() if is_no_panel_open() else None
-    return mesh is not None and len(mesh.ScaledJacobians) == mesh.FemMesh.VolumeCount > 0
+    return mesh is not None and mesh.Hexahedra + mesh.Prisms == mesh.FemMesh.VolumeCount > 0
 
 
 def is_no_panel_open():

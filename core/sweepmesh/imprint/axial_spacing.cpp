@@ -64,7 +64,8 @@ std::vector<double> with_least_step(const std::vector<double>& x,
 }
 
 Wish wish_of(const Pull& pull, double size, double tolerance) {
-  const double near = size / std::max(pull.distance, tolerance);
+  constexpr double reach = 0.45;  // sizes, at which a pull is as strong as a spring
+  const double near = reach * size / std::max(pull.distance, tolerance);
   return {pull.at, near * near};
 }
 
@@ -133,8 +134,8 @@ class ColumnSpacer {
       : model_(model), size_(size), mesh_(mesh) {
     for (int n = 0; n < mesh.n_nodes(); ++n) {
       const Owner& o = mesh.owner[n];
-      const bool is_transverse = o.kind == EntityKind::edge &&
-                                 scheme.edge_role[o.index] == EdgeRole::transverse;
+      const bool is_transverse =
+          o.kind == EntityKind::edge && scheme.edge_role[o.index] == EdgeRole::transverse;
       if (mesh.k[n] >= 0 && (is_transverse || o.kind == EntityKind::vertex))
         level_points_[mesh.k[n]].push_back(mesh.points[n]);
     }
@@ -197,8 +198,7 @@ class ColumnSpacer {
   void move(const std::vector<NodeId>& row, const std::vector<Point3>& line,
             const std::vector<double>& x, const std::vector<double>& to) {
     for (std::size_t i = 1; i + 1 < row.size(); ++i) {
-      const std::size_t s =
-          std::upper_bound(x.begin() + 1, x.end() - 1, to[i]) - x.begin() - 1;
+      const std::size_t s = std::upper_bound(x.begin() + 1, x.end() - 1, to[i]) - x.begin() - 1;
       const double f = (to[i] - x[s]) / (x[s + 1] - x[s]);
       const FaceId face{mesh_.owner[row[i].index].index};
       const Point3 p = line[s] + f * (line[s + 1] - line[s]);

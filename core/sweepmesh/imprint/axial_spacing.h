@@ -1,11 +1,14 @@
 // Where the layers cross axial edges and linking faces that pass other caps on their way.
 //
-//        |  o-----  cap at k = 3      Evenly spaced, layer 3 would cross the edge on the left wherever
-//        |  |                         a third of its length is, and the cells between it and the cap's
-//      3 +..o                         edge, however narrow, would lean by the difference. So a layer
-//        |  |  void                   crosses near the height of what the solid has at that layer
-//      2 +  |                         nearby.
+// Evenly spaced, layer 3 would cross the edge on the left wherever a third of its length is, and
+// the cells between it and the cap's edge, however narrow, would lean by the difference. So a layer
+// crosses near the height of what the solid has at that layer nearby.
+//
+//        |  o-----  cap at k = 3
 //        |  |
+//      3 +..o
+//        |  |  void
+//      2 +  |
 #pragma once
 
 #include <vector>
@@ -21,14 +24,14 @@ namespace sweepmesh {
 
 /// Moves the inner nodes of all axial edges without a bias along them: springs keep the steps
 /// alike, and each layer k is drawn to the place nearest to a transverse edge of layer k, with a
-/// force that grows as (size / distance)^2. No step becomes shorter than a quarter of the mean one.
-/// Cost: pairs of axial and transverse edges.
+/// force that grows as (0.45 size / distance)^2. No step becomes shorter than a quarter of the mean
+/// one. Cost: pairs of axial and transverse edges.
 void space_by_levels(const Model& model, const Scheme& scheme, const Intervals& intervals,
                      const IntervalOptions& options, EdgeNodes& nodes);
 
 /// The same for the nodes inside linking faces, column by column, along the lines that they form;
-/// they stay on their faces. A face whose worst quad would become worse, and poor, is left as it is.
-/// Cost: nodes of linking faces times nodes of transverse edges of their layer.
+/// they stay on their faces. A face whose worst quad would become worse, and poor, is left as it
+/// is. Cost: nodes of linking faces times nodes of transverse edges of their layer.
 void space_by_levels(const Model& model, const Scheme& scheme, double size, SurfaceMesh& mesh);
 
 }  // namespace sweepmesh

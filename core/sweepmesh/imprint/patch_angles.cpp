@@ -59,8 +59,8 @@ std::vector<std::optional<double>> cap_angles(const Model& model, const Imprint&
       angle[0] = angle_at(before->points[before->points.size() - 2], here->points[0],
                           here->points[1], up(here->normals[0]));
     for (std::size_t s = 1; s < n; ++s)
-      angle[s] = angle_at(here->points[s - 1], here->points[s], here->points[s + 1],
-                          up(here->normals[s]));
+      angle[s] =
+          angle_at(here->points[s - 1], here->points[s], here->points[s + 1], up(here->normals[s]));
   }
   return out;
 }

@@ -26,6 +26,17 @@ std::vector<std::string> caps_of(const Scheme& scheme) {
   return names;
 }
 
+/// Whether some axial edge leans far away from a direction: seen along that, caps are
+/// foreshortened.
+bool is_fanned_out(const Model& model, const Scheme& scheme, const Point3& direction) {
+  constexpr double least_cosine = 0.7071;  // 45 degrees
+  return std::any_of(model.edges().begin(), model.edges().end(), [&](EdgeId e) {
+    const Point3 chord = model.point(model.end(e)) - model.point(model.start(e));
+    return scheme.edge_role[e.index] == EdgeRole::axial &&
+           std::abs(chord.dot(direction)) < least_cosine * chord.norm();
+  });
+}
+
 class Builder {
  public:
   Builder(const Model& model, const ShellMatch& match) : model_(model), match_(match) {}
@@ -77,7 +88,9 @@ bool is_shell_like(const Model& model, const Scheme& scheme) {
              targets = scheme.faces_with(FaceRole::target);
   if (sources.size() == 1 && targets.size() == 1)
     return has_seam(model, sources[0]) && has_seam(model, targets[0]);
-  return common_directions(model, scheme, sweep_levels(model, scheme)).empty();
+  const auto directions = common_directions(model, scheme, sweep_levels(model, scheme));
+  if (directions.empty()) return true;
+  return is_fanned_out(model, scheme, directions.front()) && match_caps(model, scheme).has_value();
 }
 
 Shell find_shell(const Model& model, const Scheme& scheme, const Context& context) {

@@ -49,7 +49,8 @@ struct Shell {
   std::vector<ShellPatch> patches;
 };
 
-/// Whether a scheme asks for a shell: closed or banded caps, or columns without a common direction.
+/// Whether a scheme asks for a shell: closed or banded caps, columns without a common direction, or
+/// columns that fan out from it between caps that are divided alike.
 bool is_shell_like(const Model& model, const Scheme& scheme);
 
 /// The shell of a scheme. Throws ImprintError (unreachable) where sources and targets are divided

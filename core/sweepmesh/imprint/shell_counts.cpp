@@ -95,7 +95,7 @@ class Demands {
       const ShellTrace& trace = is_high ? e.high : e.low;
       if (!trace.edge.is_valid() || (e.start != vertex && e.end != vertex)) continue;
       return model_.point((e.start == vertex) != trace.is_reversed ? model_.start(trace.edge)
-                                                                  : model_.end(trace.edge));
+                                                                   : model_.end(trace.edge));
     }
     return Point3::Zero();
   }

@@ -114,10 +114,9 @@ class Cutter {
   }
 
   bool is_without_outer_loop() const {
-    return std::none_of(loops_.begin(), loops_.end(),
-                        [&](const LoopShape& l) {
-                          return (signed_area(l.line.uv) > 0.0) != by_target_;
-                        });
+    return std::none_of(loops_.begin(), loops_.end(), [&](const LoopShape& l) {
+      return (signed_area(l.line.uv) > 0.0) != by_target_;
+    });
   }
 
   /// A plane disc has 1 for this ratio of area and boundary, a hemisphere 2.
@@ -191,9 +190,8 @@ class Cutter {
     const Point2 from = loops_[first].start[a];
     const std::vector<Point2> line = {from,
                                       nearest_period(loops_[second].start[b], from, periods_)};
-    const int cut = by_target_
-                        ? add_edge(start_of(one.front()), start_of(other.front()), {}, line)
-                        : add_edge(start_of(one.front()), start_of(other.front()), line, {});
+    const int cut = by_target_ ? add_edge(start_of(one.front()), start_of(other.front()), {}, line)
+                               : add_edge(start_of(one.front()), start_of(other.front()), line, {});
     one.push_back({cut, false});
     one.insert(one.end(), other.begin(), other.end());
     one.push_back({cut, true});

@@ -7,8 +7,8 @@
 
 namespace sweepmesh {
 
-/// Adds the cuts that patch `patch` of a shell needs, and replaces it by its parts. What it needs is
-/// seen on its source, or on its target (`by_target`), whose boundary must be CAD edges:
+/// Adds the cuts that patch `patch` of a shell needs, and replaces it by its parts. What it needs
+/// is seen on its source, or on its target (`by_target`), whose boundary must be CAD edges:
 ///  - a band without poles is cut from rim to rim where nothing is in the way, along the line
 ///    between two vertices that leans least;
 ///  - a cap with a pole that is more than about a hemisphere is cut by a girdle around its middle,

@@ -1,13 +1,11 @@
 // Which face and edge of the targets is the image of each face and edge of the sources, where both
 // are divided alike.
 //
-//      +-----------+       A sweep through the thickness of a wall (box in box, a pipe from its
-//      | +-------+ |       inside to its outside) has caps that no plane shows at once, and perhaps
-//      | |targets| |       no linking face. If the graphs of the caps' faces and edges are the
-//      same, | +-------+ |       one edge and its image settle those of everything that hangs
-//      together: |  sources  |       next to next, other side to other side. Which edge goes with
-//      which is
-//      +-----------+       chosen by least squared distance, after the targets' size and place.
+// A sweep through the thickness of a wall (box in box, a pipe from its inside to its outside) has
+// caps that no plane shows at once, and perhaps no linking face. If the graphs of the caps' faces
+// and edges are the same, one edge and its image settle those of everything that hangs together:
+// next to next, other side to other side. Which edge goes with which is chosen by least squared
+// distance, after the targets' size and place.
 #pragma once
 
 #include <optional>

@@ -17,7 +17,12 @@ void append_once(std::vector<std::string>& list, const std::string& item) {
   if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
 }
 
-[[noreturn]] void report_conflict(const CountProblem& problem, const std::vector<int>& conflict) {
+struct Conflict {
+  std::string sentence;
+  std::vector<std::string> entities;
+};
+
+Conflict described(const CountProblem& problem, const std::vector<int>& conflict) {
   std::vector<std::string> entities, texts;
   for (const int d : conflict) {
     for (const auto& e : problem.demands[d].entities) append_once(entities, e);
@@ -29,7 +34,18 @@ void append_once(std::vector<std::string>& list, const std::string& item) {
     sentence += (t == 0 ? "" : "; ") + texts[t];
   if (texts.size() > n_shown)
     sentence += "; and " + std::to_string(texts.size() - n_shown) + " more";
-  throw SolverError(stage, sentence + ".", entities);
+  return {sentence + ".", entities};
+}
+
+/// The order of some face's sides is too much to ask: what was found without it is used, and its
+/// grid will tell whether it can do without.
+void note_unmet(const CountProblem& problem, CountOptions how, Context& context, Intervals& out) {
+  how.explain = true;
+  const CountSolution solution = solve_counts(problem, how, context);
+  if (solution.is_feasible) return;
+  const Conflict conflict = described(problem, solution.conflict);
+  out.unmet = conflict.sentence;
+  out.unmet_entities = conflict.entities;
 }
 
 Intervals to_intervals(const IntervalDemands& demands, const CountSolution& solution) {
@@ -69,8 +85,12 @@ SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, Interv
     context.report(static_cast<double>(round) / max_rounds, "Assigning numbers of mesh edges");
     const CountSolution solution = solve_counts(demands.problem, how, context);
     if (!solution.is_feasible) {
-      if (!best) report_conflict(demands.problem, solution.conflict);
-      break;  // the order of some face's sides is too much to ask: its grid will tell
+      if (best) {
+        note_unmet(demands.problem, how, context, best->intervals);
+        break;
+      }
+      const Conflict conflict = described(demands.problem, solution.conflict);
+      throw SolverError(stage, conflict.sentence, conflict.entities);
     }
     best = {to_intervals(demands, solution), solution.values};
     how.explain = false;

@@ -1,6 +1,7 @@
 // The number of mesh edges on every edge, and the layer of every vertex.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sweepmesh/base/ids.h"
@@ -14,7 +15,11 @@ struct Intervals {
   /// By face id, for linking faces one number a loop: i of the loop's first vertex, where that of
   /// the first loop has i = 0; empty for other faces.
   std::vector<std::vector<int>> loop_i;
-  int n_layers = 0;        ///< highest k; the lowest is 0
+  int n_layers = 0;  ///< highest k; the lowest is 0
+  /// Where the order of a face's sides cannot be kept: the demands that contradict each other, as a
+  /// sentence, and their entities; the counts leave that order out. Empty: none was left out.
+  std::string unmet;
+  std::vector<std::string> unmet_entities;
   bool is_optimal = true;  ///< false where the solver reached a limit and its best solution is used
 };
 

@@ -12,13 +12,20 @@ namespace {
 
 const char* const stage = "surface";
 
-PlacedRegion with_boundary(const SubmapBoundary& b, const SurfaceMesh& mesh, FaceId face) {
+[[noreturn]] void refuse_boundary(FaceId face, const Intervals& intervals) {
+  std::string sentence = "The numbers of mesh edges around " + name_of(face) +
+                         " bound no structured grid: its sides would touch or cross.";
+  std::vector<std::string> entities = {name_of(face)};
+  if (!intervals.unmet.empty()) sentence += " " + intervals.unmet;
+  for (const std::string& name : intervals.unmet_entities)
+    if (name != entities.front()) entities.push_back(name);
+  throw InvalidMeshError(stage, sentence, entities, {});
+}
+
+PlacedRegion with_boundary(const SubmapBoundary& b, const SurfaceMesh& mesh, FaceId face,
+                           const Intervals& intervals) {
   auto region = fill_region(b.loops, b.period);
-  if (!region)
-    throw InvalidMeshError(stage,
-                           "The numbers of mesh edges around " + name_of(face) +
-                               " bound no structured grid: its sides would touch or cross.",
-                           {name_of(face)}, {});
+  if (!region) refuse_boundary(face, intervals);
   PlacedRegion placed{std::move(*region), b.period, {}, {}};
   for (std::size_t l = 0; l < b.loops.size(); ++l)
     for (std::size_t s = 0; s < b.nodes[l].size(); ++s) {
@@ -69,7 +76,7 @@ void mesh_linking_faces(const Model& model, const Scheme& scheme, const Interval
     context.check(stage);
     context.report(static_cast<double>(f) / faces.size(), "Meshing " + name_of(faces[f]));
     const auto boundary = submap_boundary(model, scheme, intervals, edges, mesh, faces[f]);
-    PlacedRegion placed = with_boundary(boundary, mesh, faces[f]);
+    PlacedRegion placed = with_boundary(boundary, mesh, faces[f], intervals);
     place(model, faces[f], placed, context);
     add_to_mesh(model, faces[f], boundary, placed, mesh);
   }

@@ -1,5 +1,9 @@
 #include "sweepmesh/volume/assemble.h"
 
+#include <algorithm>
+#include <set>
+#include <tuple>
+
 #include "sweepmesh/base/errors.h"
 
 namespace sweepmesh {
@@ -49,6 +53,27 @@ Assembly assemble(const SurfaceMesh& surface, const std::vector<ColumnNodes>& co
   for (const int node : out.volume_node)
     if (node < 0) fail("A node of the boundary lies in no column.");
   return out;
+}
+
+std::vector<int> overlapping_runs(const std::vector<CellRun>& runs) {
+  struct Side {
+    int from, to, k_low, k_high, run;
+    auto key() const { return std::tuple(from, to, k_low); }
+  };
+  std::vector<Side> sides;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto& columns = runs[r].columns;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      sides.push_back({columns[i].index, columns[(i + 1) % columns.size()].index, runs[r].k_low,
+                       runs[r].k_high, static_cast<int>(r)});
+  }
+  std::ranges::sort(sides, {}, &Side::key);
+  std::set<int> out;
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const Side &a = sides[i], &b = sides[i + 1];
+    if (a.from == b.from && a.to == b.to && b.k_low < a.k_high) out.insert({a.run, b.run});
+  }
+  return {out.begin(), out.end()};
 }
 
 void add_boundary(const SurfaceMesh& surface, const Assembly& assembly, VolumeMesh& mesh) {

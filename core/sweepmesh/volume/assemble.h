@@ -35,6 +35,10 @@ struct Assembly {
 Assembly assemble(const SurfaceMesh& surface, const std::vector<ColumnNodes>& columns,
                   const std::vector<CellRun>& runs);
 
+/// Runs that lie over others: in some layer a side of theirs, from column to column, is the side of
+/// another run in the same direction. Ascending; none in a valid mesh. n log n.
+std::vector<int> overlapping_runs(const std::vector<CellRun>& runs);
+
 /// Adds to `mesh` (whose points and elements are those of the assembly's extrusion) the boundary
 /// cells with their CAD faces and every node's CAD entity.
 void add_boundary(const SurfaceMesh& surface, const Assembly& assembly, VolumeMesh& mesh);

@@ -62,23 +62,24 @@ std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const std::vector<S
   return maps;
 }
 
-/// Whether a map from the low end of a block to its high end says more of the motion than no map:
-/// loops that are small beside their caps say nothing of what lies far from them.
-bool is_telling(const AffineMap& map, const Extrusion& x, const Points& points, int block_index,
-                const LayerMotion& motion) {
+/// Whether the map from the low end of each block to its high end says more of the motion than no
+/// map: loops that are small beside their caps say nothing of what lies far from them.
+std::vector<char> are_telling(const std::vector<std::vector<AffineMap>>& maps, const Extrusion& x,
+                              const Points& points, const LayerMotion& motion) {
   constexpr double most_off = 0.5;  // of the way
-  const MotionBlock& block = motion.blocks[block_index];
-  double off = 0.0, way = 0.0;
-  for (int c = 0; c < x.n_cells(); ++c) {
-    if (motion.cell_block[c] != block_index) continue;
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      const Point3 low = points.row(x.node(x.cell_columns[i], block.k_low));
-      const Point3 high = points.row(x.node(x.cell_columns[i], block.k_high));
-      off += (map(low) - high).norm();
-      way += (low - high).norm();
+  std::vector<double> off(maps.size(), 0.0), way(maps.size(), 0.0);
+  for (int c = 0; c < x.n_columns(); ++c)
+    for (int i = motion.column_offset[c]; i < motion.column_offset[c + 1]; ++i) {
+      const int b = motion.column_blocks[i];
+      if (maps[b].empty()) continue;
+      const Point3 low = points.row(x.node(c, motion.blocks[b].k_low));
+      const Point3 high = points.row(x.node(c, motion.blocks[b].k_high));
+      off[b] += (maps[b].back()(low) - high).norm();
+      way[b] += (low - high).norm();
     }
-  }
-  return off <= most_off * way;
+  std::vector<char> out(maps.size());
+  for (std::size_t b = 0; b < out.size(); ++b) out[b] = off[b] <= most_off * way[b];
+  return out;
 }
 
 void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlock& block) {
@@ -196,14 +197,19 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
   list_blocks_of_columns(extrusion, motion);
   const std::vector<Slab> slabs = find_slabs(extrusion, fixed);
   const std::vector<SlabMotion> motions = fit_slabs(extrusion, points, slabs);
+  std::vector<std::vector<AffineMap>> maps(motion.blocks.size());
+  std::vector<char> is_chained(motion.blocks.size(), 0);
   for (int c = 0; c < extrusion.n_cells(); ++c) {
     const int b = motion.cell_block[c];
-    MotionBlock& block = motion.blocks[b];
-    if (!block.blend.empty()) continue;
-    auto maps = chain(slabs, motions, block, extrusion.cell_columns[extrusion.cell_offset[c]]);
-    if (!maps.empty() && !is_telling(maps.back(), extrusion, points, b, motion)) maps.clear();
-    set_blends(metric, std::move(maps), block);
+    if (is_chained[b]) continue;
+    is_chained[b] = 1;
+    const int column = extrusion.cell_columns[extrusion.cell_offset[c]];
+    maps[b] = chain(slabs, motions, motion.blocks[b], column);
   }
+  const std::vector<char> is_telling = are_telling(maps, extrusion, points, motion);
+  for (std::size_t b = 0; b < maps.size(); ++b)
+    set_blends(metric, is_telling[b] ? std::move(maps[b]) : std::vector<AffineMap>(),
+               motion.blocks[b]);
   return motion;
 }
 

@@ -148,7 +148,8 @@ void place_least_squares(const Extrusion& extrusion, const std::vector<char>& fi
   LayerMotion motion = make_layer_motion(x, fixed, points, metric);
   std::vector<char> is_done(motion.blocks.size(), 0);
   for (int c = 0; c < x.n_cells(); ++c) {
-    if (is_done[motion.cell_block[c]]++) continue;
+    if (is_done[motion.cell_block[c]]) continue;
+    is_done[motion.cell_block[c]] = 1;
     set_blends(slabs, fits, metric, x.cell_columns[x.cell_offset[c]],
                motion.blocks[motion.cell_block[c]]);
   }

@@ -63,8 +63,8 @@ TEST_P(Shells, use_every_edge_once_each_way_or_on_the_rim) {
     for (const auto& loop : p.loops)
       for (const DirectedEdge& d : loop) EXPECT_TRUE(uses[d.edge].insert(d.reversed).second);
   for (std::size_t e = 0; e < shell().edges.size(); ++e) {
-    const bool is_cut = !shell().edges[e].high.edge.is_valid() &&
-                        !shell().edges[e].low.edge.is_valid();
+    const bool is_cut =
+        !shell().edges[e].high.edge.is_valid() && !shell().edges[e].low.edge.is_valid();
     EXPECT_GE(uses[static_cast<int>(e)].size(), is_cut ? 2u : 1u);
   }
 }

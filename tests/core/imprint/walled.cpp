@@ -2,9 +2,9 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -60,9 +60,10 @@ TopoDS_Shape tee(double main, double branch) {
 double distance(const TopoDS_Shape& body, const Point3& p) {
   double least = 1e300;
   for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next())
-    least = std::min(least, BRepExtrema_DistShapeShape(
-                                face.Current(), BRepBuilderAPI_MakeVertex(gp_Pnt(p.x(), p.y(), p.z())))
-                                .Value());
+    least =
+        std::min(least, BRepExtrema_DistShapeShape(
+                            face.Current(), BRepBuilderAPI_MakeVertex(gp_Pnt(p.x(), p.y(), p.z())))
+                            .Value());
   return least;
 }
 
@@ -108,7 +109,8 @@ std::vector<Walled> walled_solids(double angle, double scale) {
            {"ball_off_centre", ball(24), moved(turned(ball(12), 1.2, oblique), gp_Vec(3, 2, 1)), 2},
            {"box_in_box", block(60, 50, 40), block(32, 24, 18), 2},
            {"turned_box_in_box", block(60, 50, 40), turned(block(32, 24, 18), 0.35, oblique), 2},
-           {"torus", BRepPrimAPI_MakeTorus(40, 14).Shape(), BRepPrimAPI_MakeTorus(40, 8).Shape(), 0},
+           {"torus", BRepPrimAPI_MakeTorus(40, 14).Shape(), BRepPrimAPI_MakeTorus(40, 8).Shape(),
+            0},
            {"can", rod(20, 60, 0), turned(rod(12, 40, 10), 0.9), 2},
            {"ball_in_box", block(50, 46, 40), ball(12), 2},
            {"box_in_ball", ball(30), block(24, 20, 18), 2},

@@ -251,6 +251,73 @@ TEST(AssignIntervals, OddRimOfOneEdgeIsAContradiction) {
   }
 }
 
+/// A C that lies on its back: a slot, 20 deep, opens to the left of a block 30 wide.
+TopoDS_Shape slotted_block() {
+  const std::vector<std::pair<double, double>> corners = {{0, 0},  {30, 0},  {30, 30}, {0, 30},
+                                                          {0, 20}, {20, 20}, {20, 10}, {0, 10}};
+  std::vector<gp_Pnt> points;
+  for (const auto& [x, z] : corners) points.emplace_back(x, 0.0, z);
+  return testing::prism({points}, gp_Vec(0, 9, 0));
+}
+
+/// As many mesh edges along the slot as along the whole block leave nothing behind the slot.
+TEST(AssignIntervals, OrderThatCannotBeKeptNamesWhatContradictsIt) {
+  const Case c = upright(slotted_block());
+  IntervalOptions options{.size = 4.0};
+  for (const EdgeId e : c.model.edges()) {
+    const Point3 t = c.model.tangent(e, c.model.range(e).first);
+    if (std::abs(t.x()) > 0.9) options.edge_count[e] = 6;
+  }
+  Context context;
+  const Intervals n = assign_intervals(c.model, c.scheme, options, context);
+  expect_consistent(c, n);
+  EXPECT_NE(n.unmet.find("must have 6 mesh edges"), std::string::npos) << n.unmet;
+  EXPECT_TRUE(n.unmet.ends_with("."));
+  int n_faces = 0, n_edges = 0;
+  for (const std::string& name : n.unmet_entities) {
+    n_faces += name.starts_with("Face");
+    n_edges += name.starts_with("Edge");
+  }
+  EXPECT_GE(n_faces, 1);
+  EXPECT_GE(n_edges, 2);
+  const Intervals free = assign_intervals(c.model, c.scheme, {.size = 4.0}, context);
+  EXPECT_TRUE(free.unmet.empty() && free.unmet_entities.empty());
+}
+
+/// A wall with rows of windows of different sizes: whole numbers that take some search.
+TopoDS_Shape wall_of_windows() {
+  const auto rectangle = [](double x, double z, double dx, double dz) {
+    return std::vector<gp_Pnt>{{x, 0, z}, {x + dx, 0, z}, {x + dx, 0, z + dz}, {x, 0, z + dz}};
+  };
+  std::vector<std::vector<gp_Pnt>> loops = {rectangle(0, 0, 83, 61)};
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row)
+      loops.push_back(rectangle(7 + 19.3 * column + 1.7 * row, 6 + 17.1 * row + 1.3 * column,
+                                9.1 + 0.7 * row, 8.3 + 0.9 * column));
+  return testing::prism(loops, gp_Vec(0, 9, 0));
+}
+
+/// The clock decides how far the solver comes: whatever it is, the answer is whole or a sentence.
+TEST(AssignIntervals, TheBestSolutionInTimeIsUsedAndReported) {
+  int n_cut_short = 0;
+  const Case c = upright(wall_of_windows());
+  for (const double limit : {1e-6, 1e-4, 1e-3, 1e-2})
+    for (const double size : {0.9, 2.9}) {
+      SCOPED_TRACE(limit);
+      Context context;
+      const IntervalOptions options{.size = size, .layers = 31, .time_limit_seconds = limit};
+      try {
+        const Intervals n = assign_intervals(c.model, c.scheme, options, context);
+        expect_consistent(c, n);
+        n_cut_short += !n.is_optimal;
+      } catch (const SolverError& error) {  // nothing at all was found by then
+        EXPECT_TRUE(std::string(error.what()).ends_with("."));
+        ++n_cut_short;
+      }
+    }
+  EXPECT_GT(n_cut_short, 0);
+}
+
 TEST(AssignIntervals, TooFewLayersForTheLevels) {
   const Case c = upright(step_block());
   thrown_by<SolverError>(c, {.size = 2.0, .layers = 1});

@@ -5,16 +5,21 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <GProp_GProps.hxx>
+#include <STEPControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
+#include <cstdio>
 #include <numbers>
 
 #include "sweepmesh/base/errors.h"
@@ -236,6 +241,32 @@ TEST(Model, what_is_no_solid_is_refused_in_a_sentence) {
   EXPECT_THROW(Model::from_brep(""), InputError);
   EXPECT_THROW(Model::from_brep("nonsense"), InputError);
   EXPECT_THROW(Model::from_file("/no/such/file.step"), InputError);
+}
+
+/// Over a regular polygon.
+TopoDS_Shape prism_with_sides(int n_sides) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (int s = 0; s < n_sides; ++s) {
+    const double a = 2 * pi * s / n_sides;
+    outline.Add(gp_Pnt(100 * std::cos(a), 100 * std::sin(a), 0));
+  }
+  outline.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10));
+}
+
+TEST(Model, LongLoopsComeOutOfFilesAsTheyWentIn) {
+  const std::string path = testing::TempDir() + "long_loops.step";
+  for (const int n_sides : {12, 600}) {  // healed in full, and without the cubic search
+    STEPControl_Writer writer;
+    writer.Transfer(prism_with_sides(n_sides), STEPControl_AsIs);
+    ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+    const Model model = Model::from_file(path);
+    EXPECT_EQ(model.faces().size(), n_sides + 2u);
+    EXPECT_EQ(model.edges().size(), 3u * n_sides);
+    const double area = 0.5 * n_sides * 100 * 100 * std::sin(2 * pi / n_sides);
+    EXPECT_NEAR(model.volume(), 10 * area, 1e-6 * area);
+  }
+  std::remove(path.c_str());
 }
 
 }  // namespace

@@ -197,5 +197,23 @@ TEST(LinkingFaces, Cancelled) {
   EXPECT_THROW(mesh_linking_faces(m.model, m.scheme, m.intervals, edges, context, mesh), Cancelled);
 }
 
+/// A slot with as many mesh edges along it as the whole block: nothing is left behind it.
+TEST(LinkingFaces, SidesThatCannotKeepTheirOrderNameWhatContradictsThem) {
+  const std::vector<gp_Pnt> outline = {{0, 0, 0},  {30, 0, 0},  {30, 0, 30}, {0, 0, 30},
+                                       {0, 0, 20}, {20, 0, 20}, {20, 0, 10}, {0, 0, 10}};
+  const TopoDS_Shape shape = prism({outline}, gp_Vec(0, 9, 0));
+  const Model model = model_of(shape);
+  IntervalOptions options{.size = 4.0};
+  for (const EdgeId e : model.edges())
+    if (std::abs(model.tangent(e, model.range(e).first).x()) > 0.9) options.edge_count[e] = 6;
+  try {
+    mesh_upright(shape, options);
+    FAIL() << "a grid was made";
+  } catch (const InvalidMeshError& error) {
+    EXPECT_NE(std::string(error.what()).find("must have 6 mesh edges"), std::string::npos);
+    EXPECT_GE(error.entities().size(), 3u);
+  }
+}
+
 }  // namespace
 }  // namespace sweepmesh

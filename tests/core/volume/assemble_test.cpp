@@ -78,6 +78,16 @@ TEST(Assemble, boundary_keeps_faces_and_owners) {
   for (const Owner& owner : mesh.owner) EXPECT_EQ(owner.kind, EntityKind::edge);
 }
 
+TEST(Assemble, runs_that_lie_over_each_other_are_found) {
+  // Columns 0 to 3 around a square, 4 and 5 beyond its right side, 6 inside it.
+  const CellRun square_run{ids({0, 1, 2, 3}), 0, 4};
+  const CellRun beside{ids({1, 4, 5, 2}), 0, 4}, above{ids({0, 1, 2, 3}), 4, 6};
+  EXPECT_TRUE(overlapping_runs({square_run, beside, above}).empty());
+  const CellRun folded{ids({1, 2, 6}), 2, 3};
+  EXPECT_EQ(overlapping_runs({above, square_run, beside, folded}), (std::vector<int>{1, 3}));
+  EXPECT_EQ(overlapping_runs({square_run, {ids({0, 1, 2, 3}), 3, 6}}), (std::vector<int>{0, 1}));
+}
+
 TEST(Assemble, broken_input_is_refused) {
   Tower tower(2);
   const std::vector<CellRun> run = {{ids({0, 1, 2, 3}), 0, 2}};

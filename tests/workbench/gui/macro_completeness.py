@@ -7,7 +7,7 @@ import weakref
 sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
-from driver import check, go, note, picture, settle
+from driver import check, go, is_panel_open, note, picture, settle, widget
 from PySide import QtCore, QtGui
 
 from sweepmesh.app import preferences
@@ -23,6 +23,8 @@ def steps():
     check("FreeCAD knows the workbench's icon", pathlib.Path(FreeCADGui.activeWorkbench().Icon).is_file())
     preference_page()
     preferences_are_used()
+    whats_this()
+    another_language()
 
 
 def commands():
@@ -32,6 +34,7 @@ def commands():
         check(f"{name} is known", name in known)
         check(f"{name} has text and tooltip", info["menuText"] and info["toolTip"])
         check(f"{name} has an icon", os.path.isfile(info["pixmap"]))
+        check(f"{name} has a page of help", os.path.isfile(info["whatsThis"]))
         check(f"{name} is off without a document", not FreeCADGui.Command.get(name).isActive())
 
 
@@ -83,6 +86,37 @@ def preferences_are_used():
     gone = weakref.ref(panel)
     del panel
     check("a closed panel leaves nothing behind in Python", gone() is None)
+
+
+def whats_this():
+    kinds = (QtGui.QAbstractButton, QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui.QAbstractItemView)
+    for name in ("Sweep", "Overrides", "Preview", "Quality"):
+        form = load_form(name)
+        own = [field for field in form.findChildren(QtGui.QWidget) if isinstance(field, kinds) and _is_own(field)]
+        mute = [field.objectName() for field in own if not field.whatsThis()]
+        check(f"every field of {name} explains itself", own and not mute)
+        note(f"mute in {name}", mute)
+
+
+def _is_own(field):
+    """Is this a field of the form, not a part of one?"""
+    return field.objectName() and not field.objectName().startswith("qt_")
+
+
+def another_language():
+    if not (RESOURCES / "translations" / "SweepMesh_de.qm").exists():
+        note("no translation", "Qt's lrelease is not installed")
+        return
+    FreeCADGui.setLocale("German")
+    settle()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Brick)
+    FreeCADGui.runCommand("SweepMesh_CreateMesh")
+    check("the panel speaks German", lambda: is_panel_open() and "durchziehbar" in widget("verdict").text())
+    check("its fields, too", widget("propose").text() == "Vorschlagen")
+    picture("03_german")
+    FreeCADGui.Control.closeDialog()
+    FreeCADGui.setLocale("English")
 
 
 go(steps)

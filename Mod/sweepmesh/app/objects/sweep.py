@@ -1,6 +1,7 @@
 """The sweep mesh as a document object: settings, links to the shape and its faces, the mesh, the report."""
 from sweepmesh import engine
 from sweepmesh.app import overrides, preferences
+from sweepmesh.app.elements import Elements
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.app.kept_meshes import KeptMeshes
 from sweepmesh.app.objects.base import EDITABLE, HIDDEN, READ_ONLY, Property, Proxy, in_group
@@ -85,6 +86,7 @@ class Sweep(Proxy):
     def loads(self, state):
         self._kept = KeptMeshes()
         self._shown = ""  # the fingerprint of what FemMesh holds
+        self._result = None, None  # the last one, with the fingerprint of what it was made of
 
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)
@@ -113,7 +115,13 @@ class Sweep(Proxy):
         store_report(obj, result)
         obj.FemMesh = fem_mesh
         self._kept.keep(key, fem_mesh)
+        self._result = key, result
         self._shown = obj.Fingerprint = key
+
+    def elements(self, obj):
+        """Return the `Elements` of the mesh: from the last result where that is the mesh, which is quicker."""
+        key, result = self._result
+        return Elements.of_result(result) if key == obj.Fingerprint else Elements.of_femmesh(obj.FemMesh)
 
     def _follow_undo(self, obj):
         fem_mesh = self._kept.get(obj.Fingerprint)

@@ -2,7 +2,7 @@
 import FreeCADGui
 from FreeCAD import Qt
 
-from sweepmesh.gui.resources import icon
+from sweepmesh.gui.resources import icon, page
 from sweepmesh.gui.selection import is_single_sweep_selected, selected_sweep
 
 QT_TRANSLATE_NOOP = Qt.QT_TRANSLATE_NOOP
@@ -19,6 +19,7 @@ class ShowQuality:
                 "SweepMesh_Quality",
                 "Show the histogram of quality, the worst elements and sections of the selected sweep mesh",
             ),
+            "WhatsThis": page("show_quality"),
             "Accel": "S, Q",
         }
 

@@ -2,7 +2,7 @@
 import FreeCADGui
 from FreeCAD import Qt
 
-from sweepmesh.gui.resources import icon
+from sweepmesh.gui.resources import icon, page
 from sweepmesh.gui.selection import is_single_solid_selected, selected_solid
 
 QT_TRANSLATE_NOOP = Qt.QT_TRANSLATE_NOOP
@@ -20,6 +20,7 @@ class CreateMesh:
                 "Mesh the selected solid with swept hexahedra. Selected faces become sources,"
                 " the last of several the target.",
             ),
+            "WhatsThis": page("create_mesh"),
             "Accel": "S, M",
         }
 

@@ -5,7 +5,6 @@ import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from sweepmesh.app.elements import Elements
 from sweepmesh.gui.overlays.elements import ElementOverlay, colours_of
 from sweepmesh.gui.resources import button, icon, load_form, tr
 from sweepmesh.gui.taskpanels.histogram import Histogram
@@ -24,7 +23,7 @@ class QualityPanel:
     def __init__(self, mesh):
         self._mesh, self._document_name = mesh, mesh.Document.Name
         self._quality = np.array(mesh.ScaledJacobians)
-        self._elements = Elements(mesh.FemMesh)
+        self._elements = mesh.Proxy.elements(mesh)
         self._overlay = ElementOverlay(mesh)
         self._was_visible = mesh.ViewObject.Visibility
         self.form = load_form("Quality")
@@ -48,7 +47,7 @@ class QualityPanel:
         form.position.setRange(0, _STEPS)
         form.position.setValue(_STEPS // 2)
         form.threshold.setValue(1.0)
-        for row in np.argsort(self._quality, kind="stable")[:N_WORST]:
+        for row in worst_of(self._quality, N_WORST):
             item = QtGui.QListWidgetItem(f"{self._quality[row]:.4f}   {self._elements.ids[row]}")
             item.setData(QtCore.Qt.UserRole, int(row))
             form.worst.addItem(item)
@@ -119,3 +118,10 @@ class QualityPanel:
         """FreeCAD calls this when a property changed: a new mesh makes the panel's figures old."""
         if obj == self._mesh and name == "FemMesh":
             self._close()
+
+
+def worst_of(quality, count):
+    """Return the rows of the `count` least values, the least first; of equal ones the first first."""
+    limit = np.partition(quality, count - 1)[count - 1] if len(quality) > count else np.inf
+    rows = np.flatnonzero(quality <= limit)
+    return rows[np.argsort(quality[rows], kind="stable")][:count]
