@@ -44,6 +44,7 @@ AngleLimits tangent_limits() {
   AngleLimits out;
   out.rim_deviation = kQuarterTurn + out.margin;
   out.allows_tangent_end = true;
+  out.needs_facing_caps = true;
   return out;
 }
 

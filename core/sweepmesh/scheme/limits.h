@@ -28,14 +28,17 @@ struct AngleLimits {
   /// Whether END edges and END vertices may be as flat as 180 degrees where the boundary bends
   /// outwards around them: the mesh, being made of chords, is still valid there, though poor.
   bool allows_tangent_end = false;
+  /// Whether a rim counts as bent only where the linking face bends. A cap that bends until it is
+  /// parallel to the columns squeezes them to nothing at its rim.
+  bool needs_facing_caps = false;
 };
 
 /// What is wanted where the roles of faces are free.
 inline AngleLimits strict_limits() {
   return {};
 }
-/// As strict, but that rounds and fillets may be tangent to caps: for solids that have nothing
-/// better.
+/// As strict, but that rounds and fillets, as linking faces, may be tangent to caps: for solids
+/// that have nothing better.
 AngleLimits tangent_limits();
 /// As tangent, but that edges may be 5 degrees sharper or flatter: cells of 25 degrees are poor,
 /// but better than none.

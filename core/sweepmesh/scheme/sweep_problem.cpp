@@ -33,13 +33,17 @@ Bend bend_of(double turn, double least) {
   return turn > least ? Bend::outwards : turn < -least ? Bend::inwards : Bend::none;
 }
 
-Bend bend_at(const Model& model, EdgeId id) {
+void measure_bend(const Model& model, ProblemEdge& edge) {
   constexpr double kStep = 1e-4;    // of the edge's length: small against the radius of any fillet
   constexpr double kMinTurn = 0.2;  // radians over the edge's length
+  const double step = kStep * model.length(edge.id);
   double sum = 0.0;
-  for (const Coedge& coedge : model.coedges(id))
-    sum += lean(model, coedge, kStep * model.length(id));
-  return bend_of(sum, kStep * kMinTurn);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double turn = lean(model, model.coedges(edge.id)[side], step);
+    edge.face_bend[side] = bend_of(turn, kStep * kMinTurn);
+    sum += turn;
+  }
+  edge.bend = bend_of(sum, kStep * kMinTurn);
 }
 
 void measure(const Model& model, ProblemEdge& edge) {
@@ -55,7 +59,7 @@ void measure(const Model& model, ProblemEdge& edge) {
     edge.largest = std::max(edge.largest, angle);
     edge.mean += angle / kDihedralFractions.size();
   }
-  edge.bend = bend_at(model, edge.id);
+  measure_bend(model, edge);
 }
 
 /// How the boundary turns over the ends of two coedges that follow each other, the corner between

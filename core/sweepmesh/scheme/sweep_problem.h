@@ -52,6 +52,8 @@ struct ProblemEdge {
   /// How the faces bend from each other's planes at the edge, together: where an edge is tangent
   /// and they bend outwards, a mesh made of chords still has an angle below 180 degrees there.
   Bend bend = Bend::none;
+  /// The same of each coedge's face by itself.
+  std::array<Bend, 2> face_bend = {Bend::none, Bend::none};
   bool is_closed = false;         ///< starts and ends at one vertex
   Point3 chord = Point3::Zero();  ///< from the start to the end of coedge[0]
   /// Unit tangents along coedge[0], at the middles of equal parts of the curve's parameter range.
