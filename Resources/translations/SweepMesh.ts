@@ -52,6 +52,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Cut the solid</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Edge length</source>
       <translation type="unfinished" />
     </message>
@@ -555,6 +559,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Cut there</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Each layer is so many times as thick as the one before, from the targets to the sources; 1: even layers</source>
       <translation type="unfinished" />
     </message>
@@ -592,6 +600,10 @@
     </message>
     <message>
       <source>Layers grow from both ends to the middle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make the pieces of the solid as a new object, cut along the plane that is drawn, and go on with them</source>
       <translation type="unfinished" />
     </message>
     <message>

@@ -52,6 +52,10 @@
       <translation>Sweep-Netz erstellen</translation>
     </message>
     <message>
+      <source>Cut the solid</source>
+      <translation>Den Körper schneiden</translation>
+    </message>
+    <message>
       <source>Edge length</source>
       <translation>Kantenlänge</translation>
     </message>
@@ -555,6 +559,10 @@
       <translation>Kurven verschiedener Deckflächen, die näher als dies sind, werden eine; 0: aus der Größe</translation>
     </message>
     <message>
+      <source>Cut there</source>
+      <translation>Dort schneiden</translation>
+    </message>
+    <message>
       <source>Each layer is so many times as thick as the one before, from the targets to the sources; 1: even layers</source>
       <translation>Jede Schicht ist so viele Male so dick wie die vorige, von den Zielen zu den Quellen; 1: gleichmäßige Schichten</translation>
     </message>
@@ -593,6 +601,10 @@
     <message>
       <source>Layers grow from both ends to the middle</source>
       <translation>Schichten wachsen von beiden Enden zur Mitte</translation>
+    </message>
+    <message>
+      <source>Make the pieces of the solid as a new object, cut along the plane that is drawn, and go on with them</source>
+      <translation>Die Teile des Körpers als neues Objekt machen, geschnitten an der gezeichneten Ebene, und mit ihnen weitermachen</translation>
     </message>
     <message>
       <source>Make the sources targets and the targets sources</source>

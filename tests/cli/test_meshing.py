@@ -200,3 +200,13 @@ def test_two_runs_write_the_same_bytes(sweepmesh, shapes, tmp_path):
     for name, threads in (("one.vtu", 1), ("two.vtu", 2)):
         sweepmesh(shapes / "brick.step", "--size", 3, "--threads", threads, "--out", name)
     assert (tmp_path / "one.vtu").read_bytes() == (tmp_path / "two.vtu").read_bytes()
+
+
+def test_a_cut_is_suggested_on_asking(sweepmesh, shapes, tmp_path):
+    """The ball with two voids is parted between them; a brick needs no cut."""
+    done = sweepmesh(shapes / "voids.step", "--assess", "--report", "report.json")
+    cut = json.loads((tmp_path / "report.json").read_text())["suggested_cut"]
+    assert cut["pieces"] == 2 and cut["text"] in done.stdout
+    assert abs(abs(cut["normal"][0]) - 1) < 1e-9 and abs(cut["point"][0]) < 1e-6
+    sweepmesh(shapes / "brick.step", "--assess", "--report", "report.json")
+    assert json.loads((tmp_path / "report.json").read_text())["suggested_cut"] is None

@@ -15,12 +15,14 @@ Each solid gives an outcome:
 
 import dataclasses
 import json
+import os
 import pathlib
 import queue
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -30,7 +32,8 @@ AGREEING = ("meshed", "refused", "unsound")
 FAILING = ("folded", "failed", "wrong", "crashed", "hung")
 OUTCOMES = (*AGREEING, *FAILING, "missed")
 SECONDS = 60.0
-"""What a solid may take: assessing, meshing, judging, and the picks of a refused one."""
+"""Processor time that a solid may take: assessing, meshing, judging, and the picks of a refused one. Five times of that
+on the clock, as other work may be in the way."""
 
 
 @dataclasses.dataclass
@@ -91,13 +94,14 @@ class Worker:
                 [sys.executable, __file__], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL, text=True,
             )  # fmt: skip
-        is_late = threading.Event()
+        is_late, is_done = threading.Event(), threading.Event()
         process = self._process
-        timer = threading.Timer(seconds, lambda: (is_late.set(), process.kill()))
-        timer.start()
+        watch = threading.Thread(target=_kill_when_late, args=(process, seconds, is_late, is_done))
+        watch.start()
         self._send(job)
         answer = process.stdout.readline()
-        timer.cancel()
+        is_done.set()
+        watch.join()
         if answer:
             return Examined(**json.loads(answer))
         process.wait()
@@ -117,6 +121,24 @@ class Worker:
         if self._process is not None:
             self._process.stdin.close()
             self._process.wait()
+
+
+def _kill_when_late(process, seconds, is_late, is_done):
+    begun, begun_work = time.monotonic(), _processor_seconds(process.pid)
+    while not is_done.wait(0.5):
+        work = _processor_seconds(process.pid) - begun_work
+        if work > seconds or time.monotonic() - begun > 5 * seconds:
+            is_late.set()
+            return process.kill()
+
+
+def _processor_seconds(pid):
+    """Of a process and its children that have ended; 0 for one that is gone."""
+    try:
+        fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    except OSError:
+        return 0.0
+    return sum(int(ticks) for ticks in fields[11:15]) / os.sysconf("SC_CLK_TCK")
 
 
 def name_of(job):
@@ -142,8 +164,6 @@ def serve_jobs():
 
 def examine(job, judge):
     """Examined of one job."""
-    import time
-
     import sweepmesh
 
     with tempfile.TemporaryDirectory() as folder:

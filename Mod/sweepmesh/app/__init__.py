@@ -12,7 +12,7 @@ docs/macros.md shows more.
 """
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.app.imprints import Imprint, imprint
-from sweepmesh.app.make import make_imprint, make_sweep_mesh, update_sweep_mesh
+from sweepmesh.app.make import make_cut, make_imprint, make_sweep_mesh, update_sweep_mesh
 from sweepmesh.app.stages import Plan, assess, mesh, plan
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "Plan",
     "assess",
     "imprint",
+    "make_cut",
     "make_imprint",
     "make_sweep_mesh",
     "mesh",

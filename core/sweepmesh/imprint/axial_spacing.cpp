@@ -64,7 +64,8 @@ std::vector<double> with_least_step(const std::vector<double>& x,
 }
 
 Wish wish_of(const Pull& pull, double size, double tolerance) {
-  const double near = size / std::max(pull.distance, tolerance);
+  constexpr double reach = 0.45;  // sizes, at which a pull is as strong as a spring
+  const double near = reach * size / std::max(pull.distance, tolerance);
   return {pull.at, near * near};
 }
 

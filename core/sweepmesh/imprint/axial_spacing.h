@@ -24,8 +24,8 @@ namespace sweepmesh {
 
 /// Moves the inner nodes of all axial edges without a bias along them: springs keep the steps
 /// alike, and each layer k is drawn to the place nearest to a transverse edge of layer k, with a
-/// force that grows as (size / distance)^2. No step becomes shorter than a quarter of the mean one.
-/// Cost: pairs of axial and transverse edges.
+/// force that grows as (0.45 size / distance)^2. No step becomes shorter than a quarter of the mean
+/// one. Cost: pairs of axial and transverse edges.
 void space_by_levels(const Model& model, const Scheme& scheme, const Intervals& intervals,
                      const IntervalOptions& options, EdgeNodes& nodes);
 

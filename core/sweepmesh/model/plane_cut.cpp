@@ -9,6 +9,7 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <cmath>
 #include <gp_Pln.hxx>
 #include <sstream>
 
@@ -38,17 +39,10 @@ TopoDS_Shape split(const TopoDS_Solid& solid, const TopoDS_Face& tool) {
   return splitter.HasErrors() ? TopoDS_Shape() : splitter.Shape();
 }
 
-/// The solids of a shape as a compound of their own; null where one is not sound.
-TopoDS_Compound sound_solids(const TopoDS_Shape& shape, int& n_solids) {
-  TopoDS_Compound out;
-  BRep_Builder builder;
-  builder.MakeCompound(out);
-  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
-    if (!BRepCheck_Analyzer(it.Current()).IsValid()) return {};
-    builder.Add(out, it.Current());
-    ++n_solids;
-  }
-  return out;
+std::string text_of(const TopoDS_Shape& shape) {
+  std::ostringstream text;
+  BRepTools::Write(shape, text);
+  return text.str();
 }
 
 bool adds_up(const Model& whole, const std::vector<Model>& pieces) {
@@ -61,14 +55,18 @@ bool adds_up(const Model& whole, const std::vector<Model>& pieces) {
 CutPieces pieces_of(const Model& model, const TopoDS_Solid& solid, const Plane& plane) {
   const TopoDS_Shape shape = split(solid, large_face(model, plane));
   if (shape.IsNull()) return {};
-  int n_solids = 0;
-  const TopoDS_Compound compound = sound_solids(shape, n_solids);
-  if (compound.IsNull() || n_solids < 2) return {};
-  std::ostringstream text;
-  BRepTools::Write(compound, text);
-  CutPieces out{text.str(), {Model::from_brep(text.str())}};
-  for (int s = 1; s < n_solids; ++s) out.pieces.push_back(out.pieces.front().of_solid(s));
-  return adds_up(model, out.pieces) ? out : CutPieces{};
+  CutPieces out;
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
+    if (!BRepCheck_Analyzer(it.Current()).IsValid()) return {};
+    builder.Add(all, it.Current());
+    out.pieces.push_back(Model::from_brep(text_of(it.Current())));
+  }
+  if (out.pieces.size() < 2 || !adds_up(model, out.pieces)) return {};
+  out.shape = text_of(all);
+  return out;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ Plane plane_of(const Model& model, FaceId face);
 
 /// What a plane leaves of a model's solid.
 struct CutPieces {
-  std::string shape;          ///< BREP text of a compound of the pieces
-  std::vector<Model> pieces;  ///< its solids in their order; they share the faces of the cut
+  std::string shape;  ///< BREP text of a compound of the pieces, which share the cut's faces
+  std::vector<Model> pieces;  ///< its solids in their order, each a shape of its own
 };
 
 /// The plane is taken as unbounded. No pieces where it does not divide the solid, or where

@@ -242,8 +242,9 @@ class Assessor {
     const Network strict = make_network(problem_, strict_limits(), fixed);
     if (auto found = try_with(strict, asked_)) return with_more(*found, fixed);
     if (opposed_) return {{}, {*opposed_}};
-    if (auto found = try_with(make_network(problem_, tangent_limits(), fixed), asked_))
-      return with_more(*found, fixed);
+    for (const AngleLimits& limits : {tangent_limits(), sharp_limits()})
+      if (auto found = try_with(make_network(problem_, limits, fixed), asked_))
+        return with_more(*found, fixed);
     context_.report(0.5, "Looking for the reason.");
     const Network lenient = make_network(problem_, lenient_limits(), fixed);
     if (!chosen_.empty() || !fixed.empty())

@@ -54,6 +54,12 @@ AngleLimits lenient_limits() {
   return out;
 }
 
+AngleLimits sharp_limits() {
+  AngleLimits out = tangent_limits();
+  out.edge_deviation = 65 * kQuarterTurn / 90;
+  return out;
+}
+
 AngleLimits radial_limits() {
   AngleLimits out;
   out.edge_deviation = out.rim_deviation = 100 * kQuarterTurn / 90;

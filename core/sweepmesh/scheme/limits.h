@@ -37,6 +37,9 @@ inline AngleLimits strict_limits() {
 /// As strict, but that rounds and fillets may be tangent to caps: for solids that have nothing
 /// better.
 AngleLimits tangent_limits();
+/// As tangent, but that edges may be 5 degrees sharper or flatter: cells of 25 degrees are poor,
+/// but better than none.
+AngleLimits sharp_limits();
 /// What is possible at all: where somebody has decided on sources and targets.
 AngleLimits lenient_limits();
 /// Between the two: what a radial sweep takes that nobody asked for. Right angles between the faces

@@ -157,6 +157,7 @@ bool is_help(const Model& model, const CutOptions& options, SuggestedCut& candid
 bool is_better(const SuggestedCut& a, const SuggestedCut& b) {
   constexpr double rounding = 1e-6;
   if (a.cut.pieces.size() != b.cut.pieces.size()) return a.cut.pieces.size() < b.cut.pieces.size();
+  if (a.face.is_valid() != b.face.is_valid()) return a.face.is_valid();
   return a.cost < b.cost - rounding;
 }
 

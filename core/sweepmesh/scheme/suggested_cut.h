@@ -31,8 +31,9 @@ struct SuggestedCut {
 std::vector<SuggestedCut> cut_candidates(const Model& model, const std::vector<Reason>& reasons);
 
 /// Tries the candidates, each exactly: the solid is cut and all pieces are assessed. Of those that
-/// help the one with the fewest pieces is taken, then the one of least cost. Empty where none
-/// helps. Up to the time limit the answer is always the same. Throws Cancelled.
+/// help the one with the fewest pieces is taken, then one that extends a face, then the one of
+/// least cost. Empty where none helps. Up to the time limit the answer is always the same. Throws
+/// Cancelled.
 std::optional<SuggestedCut> suggest_cut(const Model& model, const std::vector<Reason>& reasons,
                                         const CutOptions& options, Context& context);
 

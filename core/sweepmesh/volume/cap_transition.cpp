@@ -31,17 +31,21 @@ std::vector<int> free_blocks(const Extrusion& x, const std::vector<char>& fixed,
 }
 
 /// High end, carried back to the low one, minus the low end; zero for columns without a block.
-Points differences(const Extrusion& x, const LayerMotion& motion, const Points& points) {
-  Points out = Points::Zero(x.n_columns(), 3);
+Points differences(const Extrusion& x, const LayerMotion& motion, const Points& points,
+                   ThreadTeam& team) {
+  Points out(x.n_columns(), 3);
   std::vector<AffineMap> back;
   for (const MotionBlock& block : motion.blocks) back.push_back(block.up.back().inverse());
-  for (int c = 0; c < x.n_columns(); ++c) {
-    if (motion.column_offset[c] == motion.column_offset[c + 1]) continue;
-    const int b = motion.column_blocks[motion.column_offset[c]];
-    if (!motion.blocks[b].has_loops) continue;
-    out.row(c) = back[b](Point3(points.row(x.node(c, motion.blocks[b].k_high)))) -
-                 Point3(points.row(x.node(c, motion.blocks[b].k_low)));
-  }
+  team.for_chunks(x.n_columns(), grain, [&](long begin, long end, long) {
+    for (int c = static_cast<int>(begin); c < end; ++c) {
+      out.row(c).setZero();
+      if (motion.column_offset[c] == motion.column_offset[c + 1]) continue;
+      const int b = motion.column_blocks[motion.column_offset[c]];
+      if (!motion.blocks[b].has_loops) continue;
+      out.row(c) = back[b](Point3(points.row(x.node(c, motion.blocks[b].k_high)))) -
+                   Point3(points.row(x.node(c, motion.blocks[b].k_low)));
+    }
+  });
   return out;
 }
 
@@ -196,7 +200,7 @@ bool choose_transitions(const Extrusion& extrusion, const std::vector<char>& fix
                         const TransitionOptions& options, Points& points, ThreadTeam& team,
                         const Context& context) {
   std::vector<int> block_of = free_blocks(extrusion, fixed, motion, team);
-  Points mismatch = differences(extrusion, motion, points);
+  Points mismatch = differences(extrusion, motion, points, team);
   if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;
   subtract_extension(extrusion, metric, block_of, mismatch, team, context);
   if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;

@@ -20,15 +20,26 @@ namespace {
 
 constexpr long columns_per_chunk = 256;
 
-double size_of(const Points& points, const std::vector<char>& fixed) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  Point3 low = Point3::Constant(infinity), high = Point3::Constant(-infinity);
-  for (std::size_t n = 0; n < fixed.size(); ++n) {
-    if (!fixed[n]) continue;
-    low = low.cwiseMin(Point3(points.row(n)));
-    high = high.cwiseMax(Point3(points.row(n)));
-  }
-  return (high - low).norm();
+/// Diagonal of the box around the fixed nodes.
+double size_of(const Points& points, const std::vector<char>& fixed, ThreadTeam& team) {
+  constexpr long nodes_per_chunk = 1L << 16;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using Box = std::pair<Point3, Point3>;
+  const Box none = {Point3::Constant(infinity), Point3::Constant(-infinity)};
+  std::vector<Box> boxes(ThreadTeam::n_chunks(static_cast<long>(fixed.size()), nodes_per_chunk),
+                         none);
+  team.for_chunks(static_cast<long>(fixed.size()), nodes_per_chunk,
+                  [&](long begin, long end, long chunk) {
+                    auto& [low, high] = boxes[chunk];
+                    for (long n = begin; n < end; ++n) {
+                      if (!fixed[n]) continue;
+                      low = low.cwiseMin(Point3(points.row(n)));
+                      high = high.cwiseMax(Point3(points.row(n)));
+                    }
+                  });
+  Box all = none;
+  for (const auto& [low, high] : boxes) all = {all.first.cwiseMin(low), all.second.cwiseMax(high)};
+  return (all.second - all.first).norm();
 }
 
 /// Adds the correction, which was solved for in units of `unit`, to the free nodes.
@@ -191,7 +202,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
   report.largest_residual = largest(residuals);
   context.report(0.1, "Extending the boundary's residual");
-  const double negligible = options.negligible_residual * size_of(points, fixed);
+  const double negligible = options.negligible_residual * size_of(points, fixed, team);
   if (report.largest_residual > negligible)
     extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
                      points, report, team, context);

@@ -42,7 +42,7 @@ struct PlacementOptions {
   /// Where the mean scaled Jacobian is below this (and layers are no exact images of the caps),
   /// nodes are moved to raise it; 0..1, 0 switches it off. Not in meshes with more elements than
   /// `raise_at_most`: it takes a hundred times as long as the placement itself.
-  double raise_mean_below = 0.95;
+  double raise_mean_below = 0.97;
   long raise_at_most = 20000;
   /// Attempts to untangle, each with twice the rings of neighbours; 0 leaves inverted elements
   /// alone.

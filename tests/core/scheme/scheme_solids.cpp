@@ -10,8 +10,10 @@
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GeomAPI_Interpolate.hxx>
@@ -104,6 +106,14 @@ Model hollow_ball(int n_voids) {
     shape = cut(shape, BRepPrimAPI_MakeSphere(gp_Pnt(x, 0, 0), 6).Shape());
   }
   return to_model(shape);
+}
+
+Model disc_with_handle() {
+  const TopoDS_Shape disc =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -10), gp::DZ()), 25, 10).Shape();
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(gp_Ax2(gp::Origin(), gp::DY()), 12, 3).Shape();
+  const TopoDS_Shape half = cut(ring, block({-60, -60, -60}, {60, 60, 0}));
+  return to_model(BRepAlgoAPI_Fuse(disc, half).Shape());
 }
 
 Model hollow_box() {

@@ -13,6 +13,8 @@ Model rounded_plate();
 /// Balls of the given radii cut out of a ball of radius 30, at x = -15, 15, ... or in the middle
 /// where there is one.
 Model hollow_ball(int n_voids);
+/// A disc of radius 25 and height 10 below z = 0, half a ring standing on it.
+Model disc_with_handle();
 /// A box of 60 x 50 x 40 with a box-shaped void in the middle.
 Model hollow_box();
 /// A box of 60 x 50 x 40 with a ball cut out of its middle.

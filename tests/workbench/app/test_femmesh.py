@@ -1,6 +1,7 @@
 """What reaches FreeCAD's FemMesh: orientation, ids, groups, faces."""
 import types
 
+import FreeCAD as App
 import numpy as np
 import Part
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from sweepmesh import app
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.engine.errors import InputError
+from sweepmesh.engine.results import EDGE, FACE, VERTEX
 
 
 def grid_result(n):
@@ -117,3 +119,30 @@ def test_no_file_is_left_behind(tmp_path, monkeypatch):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     assert to_femmesh(grid_result(2)).HexaCount == 8
     assert not list(tmp_path.iterdir())
+
+
+def owned(result, kind, number):
+    """Ids of the nodes of which the engine says that they lie there."""
+    return set(np.flatnonzero((result.owner_kind == kind) & (result.owner_number == number)) + 1)
+
+
+def number_of(elements, element):
+    return next(i for i, each in enumerate(elements, 1) if each.isSame(element))
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_freecad_finds_on_each_face_and_edge_exactly_the_nodes_that_lie_there(order):
+    pipe = Part.makeTorus(30, 10, App.Vector(), App.Vector(0, 0, 1), 0, 360, 90).cut(Part.makeTorus(30, 6))
+    shape = pipe.Solids[0]
+    result = app.mesh(shape, size=4.0, order=order)
+    mesh = to_femmesh(result)
+    for number, edge in enumerate(shape.Edges, 1):
+        found = set(mesh.getNodesByEdge(edge))
+        ends = [owned(result, VERTEX, number_of(shape.Vertexes, vertex)) for vertex in edge.Vertexes]
+        assert found >= owned(result, EDGE, number).union(*ends), f"Edge{number}"
+        assert len(found) == order * result.intervals[f"Edge{number}"] + (0 if edge.isClosed() else 1), f"Edge{number}"
+    for number, face in enumerate(shape.Faces, 1):
+        group = next(g for g in mesh.Groups if mesh.getGroupName(g) == f"Face{number}_Nodes")
+        found = set(mesh.getNodesByFace(face))
+        assert found == set(mesh.getGroupElements(group)), f"Face{number}"
+        assert found >= owned(result, FACE, number), f"Face{number}"

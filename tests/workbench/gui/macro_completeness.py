@@ -7,9 +7,7 @@ import weakref
 sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
-from driver import (
-    QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, reveal, settle, tool_button, wait_for, widget,
-)
+from driver import check, go, is_panel_open, note, picture, settle, widget
 from PySide import QtCore, QtGui
 
 from sweepmesh.app import preferences
@@ -98,33 +96,11 @@ def whats_this():
         mute = [field.objectName() for field in own if not field.whatsThis()]
         check(f"every field of {name} explains itself", own and not mute)
         note(f"mute in {name}", mute)
-    document = FreeCAD.newDocument("Help")
-    document.addObject("Part::Box", "Brick")
-    document.recompute()
-    FreeCADGui.Selection.addSelection(document.Brick)
-    press(tool_button("Create sweep mesh"))
-    wait_for(lambda: is_shown("meshSize"))
-    field = widget("layerCount")
-    reveal(field)
-    field.setFocus()
-    QTest.keyClick(field, QtCore.Qt.Key_F1, QtCore.Qt.ShiftModifier)
-    check("Shift+F1 explains a field", lambda: _whats_this_window())
-    picture("02_whats_this")
-    window = _whats_this_window()
-    if window:
-        window.close()
-    press(panel_button("Cancel"))
-    wait_for(lambda: not is_panel_open())
 
 
 def _is_own(field):
     """Is this a field of the form, not a part of one?"""
     return field.objectName() and not field.objectName().startswith("qt_")
-
-
-def _whats_this_window():
-    windows = QtGui.QApplication.topLevelWidgets()
-    return next((w for w in windows if w.isVisible() and w.metaObject().className() == "QWhatsThat"), None)
 
 
 def another_language():

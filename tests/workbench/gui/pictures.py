@@ -23,6 +23,7 @@ PICTURES = {
         "07_pairs": "previews_pairs",
     },
     "overrides": {"01_count": "override_count", "03_growth": "override_growth", "07_types": "override_type"},
+    "cut": {"01_offer": "create_mesh_cut"},
     "solve": {"03_results": "solve_results"},
     "quality": {
         "01_quality": "quality_whole",

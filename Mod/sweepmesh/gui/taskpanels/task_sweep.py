@@ -13,6 +13,7 @@ from sweepmesh.gui import recorder
 from sweepmesh.gui.read_models import ReadModels
 from sweepmesh.gui.resources import Widgets, icon, load_form, tr
 from sweepmesh.gui.runner import STOP_SECONDS, Runner
+from sweepmesh.gui.taskpanels.cut_offer import CutOffer
 from sweepmesh.gui.taskpanels.face_lists import FaceLists
 from sweepmesh.gui.taskpanels.overrides import Overrides
 from sweepmesh.gui.taskpanels.picking import Picking
@@ -40,6 +41,7 @@ class SweepPanel:
         self._faces = FaceLists(self.widgets, shape, self._picking)
         self._overrides = Overrides(self.widgets, shape, self._picking)
         self._previews = Previews(self.widgets, shape, self._task, self._models, self._overrides.names)
+        self._cut = CutOffer(self.widgets, shape)
         self._assessor, self._mesher = Runner(), Runner()
         self._connect()
         self.load(faces)
@@ -125,6 +127,7 @@ class SweepPanel:
         form.stop.clicked.connect(self._mesher.cancel)
         self._assessor.succeeded.connect(self._show_assessment)
         self._assessor.failed.connect(self._show_error)
+        self._cut.accepted.connect(self._make_cut)
         self._mesher.progressed.connect(self._show_progress)
         self._mesher.succeeded.connect(self._store)
         self._mesher.failed.connect(self._mesh_failed)
@@ -134,6 +137,7 @@ class SweepPanel:
 
     def assess(self):
         """Start to find out what the picks make of the solid."""
+        self._cut.withdraw()
         self._faces.show_roles({})
         self._overrides.set_caps([*self._faces.picks["source"], *self._faces.picks["target"]])
         self.widgets.verdict.setText(tr("Looking for sources and targets ..."))
@@ -151,6 +155,8 @@ class SweepPanel:
         self._previews.set_roles(assessment.roles)
         self._show_reasons([(reason.text, reason.entities) for reason in assessment.reasons])
         is_sweepable = assessment.verdict == "sweepable"
+        if not is_sweepable:
+            self._cut.look(*self._task())
         self.widgets.verdict.setText(tr("The solid can be swept.") if is_sweepable else tr("The solid cannot be swept."))
         self.widgets.schemes.clear()
         self.widgets.schemes.addItems([_scheme_text(scheme) for scheme in self._schemes])
@@ -271,6 +277,17 @@ class SweepPanel:
             lines.append(f"{shape}.Visibility = False")
         return tr("Create sweep mesh"), lines
 
+    def _make_cut(self, cut):
+        """Cut the solid as offered; a panel for its pieces takes the place of this one."""
+        shape, document = recorder.reference(self._shape), self._shape.Document
+        point, normal = (tuple(round(x, 9) for x in vector) for vector in (cut.point, cut.normal))
+        lines = [f"pieces = sweepmesh.app.make_cut({shape}, point={point}, normal={normal})", f"{shape}.Visibility = False"]
+        self._restore_visibility()
+        recorder.run(document, tr("Cut the solid"), lines)
+        pieces = document.Objects[-1]
+        self._close()
+        QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.showDialog(SweepPanel(pieces)))
+
     def _show_solid(self):
         """Show the solid, and hide the mesh that is edited. Return what was visible before."""
         objects = [self._shape, self._mesh] if self._mesh else [self._shape]
@@ -295,6 +312,7 @@ class SweepPanel:
         self._mesher.close(wait=STOP_SECONDS)
         self._picking.close()
         self._previews.close()
+        self._cut.close()
         name = self._document_name
         QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(name))
 
