@@ -264,7 +264,7 @@ def answer_file_dialog(command, path, name_filter="", wants_picture=False):
             if wants_picture:
                 picture(f"dialog_{path.suffix[1:]}")
             QTest.mouseClick(accept, LEFT)
-            settle(0.2)
+            wait_for(lambda: not dialog.isVisible(), 5)
 
     give_up = time.time() + 60
     QtCore.QTimer.singleShot(50, answer)
