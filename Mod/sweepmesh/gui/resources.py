@@ -19,12 +19,8 @@ def page(name):
 
 
 def load_form(name):
-    """Return a new widget made from Resources/ui/`name`.ui. "What's this?" says at least what the tooltip says."""
-    form = FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
-    for field in form.findChildren(QtGui.QWidget):
-        if field.toolTip() and not field.whatsThis():
-            field.setWhatsThis(field.toolTip())
-    return form
+    """Return a new widget made from Resources/ui/`name`.ui."""
+    return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
 
 
 class Widgets:
