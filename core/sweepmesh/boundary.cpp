@@ -29,24 +29,6 @@ FaceId only_face(const Scheme& scheme, FaceRole role, const char* what) {
                    names_of(faces));
 }
 
-/// By surface node: the column through it, for nodes on linking faces.
-std::vector<ColumnId> columns_at_nodes(const std::vector<ColumnNodes>& columns, int n_nodes) {
-  std::vector<ColumnId> at(n_nodes);
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    for (const NodeId node : columns[c].nodes)
-      if (node.is_valid()) at[node.index] = ColumnId{c};
-  return at;
-}
-
-std::vector<ColumnNodes> linking_columns(const SurfaceMesh& surface) {
-  std::vector<ColumnNodes> columns;
-  for (auto& chain : columns_from(surface).chains) {
-    const int k_low = surface.k[chain.front().index];
-    columns.push_back({k_low, std::move(chain)});
-  }
-  return columns;
-}
-
 /// The target's node under each node of the source's loops, at the foot of its column.
 CapLoops feet(const Model& model, FaceId source, const CapLoops& loops, FaceId target,
               const EdgeMesh& edges, const std::vector<ColumnNodes>& columns,
@@ -70,29 +52,6 @@ CapLoops feet(const Model& model, FaceId source, const CapLoops& loops, FaceId t
   return out;
 }
 
-/// Adds the columns inside the caps and the runs of all cells. `up` and `down` are the nodes of the
-/// source and of the target, in the same order; the first of them are the boundary's and have
-/// columns already.
-void add_inner_columns(const CapMesh& source, const std::vector<NodeId>& up,
-                       const std::vector<NodeId>& down, std::vector<ColumnId> column_at,
-                       BoundaryMesh& mesh) {
-  const int n_layers = mesh.surface.k[up.front().index];
-  column_at.resize(mesh.surface.n_nodes());
-  for (std::size_t n = source.plane.n_boundary; n < up.size(); ++n) {
-    ColumnNodes column{0, std::vector<NodeId>(n_layers + 1)};
-    column.nodes.front() = down[n];
-    column.nodes.back() = up[n];
-    column_at[up[n].index] = ColumnId{mesh.columns.size()};
-    mesh.columns.push_back(std::move(column));
-  }
-  for (int c = 0; c < source.plane.n_cells(); ++c) {
-    CellRun run{{}, 0, n_layers};
-    for (const int n : source.plane.cell(c)) run.columns.push_back(column_at[up[n].index]);
-    if (source.is_mirrored) std::reverse(run.columns.begin(), run.columns.end());
-    mesh.runs.push_back(std::move(run));
-  }
-}
-
 }  // namespace
 
 BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
@@ -104,7 +63,7 @@ BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Inter
       mesh_edges(model, intervals, place_edge_nodes(model, intervals, options), mesh.surface);
   mesh_linking_faces(model, scheme, intervals, edges, context, mesh.surface);
   mesh.columns = linking_columns(mesh.surface);
-  const auto column_at = columns_at_nodes(mesh.columns, mesh.surface.n_nodes());
+  auto column_at = columns_at_nodes(mesh.columns, mesh.surface.n_nodes());
 
   const CapLoops loops = cap_loops(model, source, edges.edge, edges.parameters.t);
   const CapLoops partner = feet(model, source, loops, target, edges, mesh.columns, column_at);
@@ -112,9 +71,46 @@ BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Inter
       mesh_cap_pair(model, source, loops, target, partner, options.size, kind, context);
   const std::vector<NodeId> up = add_cap(upper, mesh.surface);
   const std::vector<NodeId> down = add_cap(lower, mesh.surface);
-  add_inner_columns(upper, up, down, column_at, mesh);
+  add_runs_between(upper, up, down, 0, mesh.surface.k[up.front().index], column_at, mesh);
   drop_loose_nodes(mesh);
   return mesh;
+}
+
+std::vector<ColumnId> columns_at_nodes(const std::vector<ColumnNodes>& columns, int n_nodes) {
+  std::vector<ColumnId> at(n_nodes);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (const NodeId node : columns[c].nodes)
+      if (node.is_valid()) at[node.index] = ColumnId{c};
+  return at;
+}
+
+std::vector<ColumnNodes> linking_columns(const SurfaceMesh& surface) {
+  std::vector<ColumnNodes> columns;
+  for (auto& chain : columns_from(surface).chains) {
+    const int k_low = surface.k[chain.front().index];
+    columns.push_back({k_low, std::move(chain)});
+  }
+  return columns;
+}
+
+void add_runs_between(const CapMesh& source, const std::vector<NodeId>& up,
+                      const std::vector<NodeId>& down, int k_low, int k_high,
+                      std::vector<ColumnId>& column_at, BoundaryMesh& mesh) {
+  column_at.resize(mesh.surface.n_nodes());
+  for (std::size_t n = 0; n < up.size(); ++n) {
+    if (column_at[up[n].index].is_valid()) continue;
+    ColumnNodes column{k_low, std::vector<NodeId>(k_high - k_low + 1)};
+    column.nodes.front() = down[n];
+    column.nodes.back() = up[n];
+    for (const NodeId end : {down[n], up[n]}) column_at[end.index] = ColumnId{mesh.columns.size()};
+    mesh.columns.push_back(std::move(column));
+  }
+  for (int c = 0; c < source.plane.n_cells(); ++c) {
+    CellRun run{{}, k_low, k_high};
+    for (const int n : source.plane.cell(c)) run.columns.push_back(column_at[up[n].index]);
+    if (source.is_mirrored) std::reverse(run.columns.begin(), run.columns.end());
+    mesh.runs.push_back(std::move(run));
+  }
 }
 
 void drop_loose_nodes(BoundaryMesh& mesh) {

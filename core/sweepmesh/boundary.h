@@ -9,6 +9,7 @@
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/scheme/scheme.h"
+#include "sweepmesh/surface/cap_mesh.h"
 #include "sweepmesh/surface/quad_mesher.h"
 #include "sweepmesh/volume/assemble.h"
 
@@ -24,6 +25,19 @@ struct BoundaryMesh {
 /// on the target. Throws InputError for a scheme with more caps, and what the surface stage throws.
 BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
                            const IntervalOptions& options, CellKind kind, Context& context);
+
+/// The columns of the linking faces' nodes.
+std::vector<ColumnNodes> linking_columns(const SurfaceMesh& surface);
+
+/// By surface node: the column through it; invalid where there is none.
+std::vector<ColumnId> columns_at_nodes(const std::vector<ColumnNodes>& columns, int n_nodes);
+
+/// Adds the runs of all cells between a source and its target, whose nodes `up` and `down` are in
+/// the same order, from layer `k_low` to `k_high`, and columns where `up` has none yet;
+/// `column_at`, by surface node, grows with them.
+void add_runs_between(const CapMesh& source, const std::vector<NodeId>& up,
+                      const std::vector<NodeId>& down, int k_low, int k_high,
+                      std::vector<ColumnId>& column_at, BoundaryMesh& mesh);
 
 /// Takes out nodes that no cell uses: those of seams and poles, which a cap's mesh passes over.
 void drop_loose_nodes(BoundaryMesh& mesh);

@@ -74,10 +74,6 @@ void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fract
   plan.edge_nodes = points_of(model, place_imprinted_nodes(model, imprint, counts, options));
 }
 
-}  // namespace
-
-namespace {
-
 /// Of the best scheme of plan.assessment.
 void fill_best(const Model& model, const SweepOptions& options, Context& context, SweepPlan& plan) {
   const Scheme& scheme = plan.assessment.schemes.front();

@@ -6,7 +6,6 @@
 #include "sweepmesh/intervals/edge_nodes.h"
 #include "sweepmesh/surface/cap_mesh.h"
 #include "sweepmesh/surface/cap_periods.h"
-#include "sweepmesh/surface/linking_columns.h"
 #include "sweepmesh/surface/linking_edges.h"
 #include "sweepmesh/surface/linking_faces.h"
 
@@ -74,7 +73,8 @@ class ShellMesher {
     edges_ = mesh_edges(model_, counts_.intervals,
                         place_edge_nodes(model_, counts_.intervals, options_), out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);
-    add_linking_columns();
+    out_.columns = linking_columns(out_.surface);
+    column_at_ = columns_at_nodes(out_.columns, out_.surface.n_nodes());
     nodes_.resize(shell_.edges.size());
     vertex_.resize(shell_.n_vertices);
     for (std::size_t e = 0; e < shell_.edges.size(); ++e) add_cad_edge(e);
@@ -89,21 +89,6 @@ class ShellMesher {
   struct VertexNodes {
     NodeId high, low;
   };
-
-  void add_linking_columns() {
-    for (auto& chain : columns_from(out_.surface).chains) {
-      const int k_low = out_.surface.k[chain.front().index];
-      add_column(k_low, std::move(chain));
-    }
-  }
-
-  void add_column(int k_low, std::vector<NodeId> nodes) {
-    const ColumnId id{out_.columns.size()};
-    column_at_.resize(out_.surface.n_nodes());
-    for (const NodeId n : nodes)
-      if (n.is_valid()) column_at_[n.index] = id;
-    out_.columns.push_back({k_low, std::move(nodes)});
-  }
 
   ColumnId column_at(NodeId node) const {
     return node.index < static_cast<int>(column_at_.size()) ? column_at_[node.index] : ColumnId{};
@@ -263,20 +248,7 @@ class ShellMesher {
                       loops_on(patch, false), options_.size, kind_, context_);
     const std::vector<NodeId> up = add_cap(upper, out_.surface);
     const std::vector<NodeId> down = add_cap(lower, out_.surface);
-    const int low = k_of(patch.target), high = k_of(patch.source);
-    for (std::size_t n = 0; n < up.size(); ++n) {
-      if (column_at(up[n]).is_valid()) continue;
-      std::vector<NodeId> column(high - low + 1);
-      column.front() = down[n];
-      column.back() = up[n];
-      add_column(low, std::move(column));
-    }
-    for (int c = 0; c < upper.plane.n_cells(); ++c) {
-      CellRun run{{}, low, high};
-      for (const int n : upper.plane.cell(c)) run.columns.push_back(column_at(up[n]));
-      if (upper.is_mirrored) std::reverse(run.columns.begin(), run.columns.end());
-      out_.runs.push_back(std::move(run));
-    }
+    add_runs_between(upper, up, down, k_of(patch.target), k_of(patch.source), column_at_, out_);
   }
 
   const Model& model_;

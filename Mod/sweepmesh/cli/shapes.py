@@ -93,24 +93,43 @@ def _has_solid(item):
 
 def face_number(model, text):
     """The number of the face that FACE names: "Face7" or a point "x,y,z" on it."""
-    name = re.fullmatch(r"Face(\d+)", text.strip())
+    return _number(model, text, "Face", model.n_faces, "faces", _face_near)
+
+
+def vertex_number(model, text):
+    """The number of the vertex that VERTEX names: "Vertex7" or a point "x,y,z" at it."""
+    return _number(model, text, "Vertex", model.n_vertices, "vertices", _vertex_near)
+
+
+def _number(model, text, kind, count, plural, nearest):
+    name = re.fullmatch(kind + r"(\d+)", text.strip())
     if name:
         number = int(name[1])
-        if not 1 <= number <= model.n_faces:
+        if not 1 <= number <= count:
             raise input_error(
-                f"The shape has no {text}: its faces are Face1 to Face{model.n_faces}.", "assess", [text]
+                f"The shape has no {text}: its {plural} are {kind}1 to {kind}{count}.", "assess", [text]
             )
         return number
-    point = _point(text, "face")
-    face = face_at(model, point)
-    distance = model.distance_to_face(face - 1, point)
+    number, distance = nearest(model, _point(text, kind))
     if distance > POINT_TOLERANCE * model.model_size:
         raise input_error(
-            f"The point {text} lies on no face: the nearest, Face{face}, is {distance:.4g} away.",
+            f"The point {text} lies on no {kind.lower()}: the nearest, {kind}{number}, is {distance:.4g} away.",
             "assess",
-            [f"Face{face}"],
+            [f"{kind}{number}"],
         )
-    return face
+    return number
+
+
+def _face_near(model, point):
+    """(number, distance) of the nearest face."""
+    face = face_at(model, point)
+    return face, model.distance_to_face(face - 1, point)
+
+
+def _vertex_near(model, point):
+    """(number, distance) of the nearest vertex."""
+    distance, number = min((math.dist(point, model.vertex_point(i)), i + 1) for i in range(model.n_vertices))
+    return number, distance
 
 
 def _point(text, kind):
@@ -120,29 +139,8 @@ def _point(text, kind):
     except ValueError:
         point = []
     if len(point) != 3 or not all(math.isfinite(part) for part in point):
-        raise input_error(f"'{text}' names no {kind}: give a name as {kind.title()}7 or a point as 1.5,0,20.")
+        raise input_error(f"'{text}' names no {kind.lower()}: give a name as {kind}7 or a point as 1.5,0,20.")
     return point
-
-
-def vertex_number(model, text):
-    """The number of the vertex that VERTEX names: "Vertex7" or a point "x,y,z" at it."""
-    name = re.fullmatch(r"Vertex(\d+)", text.strip())
-    if name:
-        number = int(name[1])
-        if not 1 <= number <= model.n_vertices:
-            raise input_error(
-                f"The shape has no {text}: its vertices are Vertex1 to Vertex{model.n_vertices}.", "assess", [text]
-            )
-        return number
-    point = _point(text, "vertex")
-    distance, nearest = min((math.dist(point, model.vertex_point(i)), i + 1) for i in range(model.n_vertices))
-    if distance > POINT_TOLERANCE * model.model_size:
-        raise input_error(
-            f"The point {text} lies on no vertex: the nearest, Vertex{nearest}, is {distance:.4g} away.",
-            "assess",
-            [f"Vertex{nearest}"],
-        )
-    return nearest
 
 
 def vertex_type(model, text):

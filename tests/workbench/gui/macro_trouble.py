@@ -100,13 +100,17 @@ def a_run_that_is_stopped():
     finish(document)
 
 
-def a_setting_that_fails():
-    document, brick = new_brick()
+def mesh_with_panel(brick):
     open_panel(brick)
     wait_for(lambda: rows("sources"))
     type_into("meshSize", "2 mm")
     press(panel_button("OK"))
     wait_for(lambda: not is_panel_open(), 60)
+
+
+def a_setting_that_fails():
+    document, brick = new_brick()
+    mesh_with_panel(brick)
     mesh = document.SweepMesh
     count = mesh.FemMesh.HexaCount
     mesh.MaxElements = 10
@@ -163,11 +167,7 @@ def a_shape_edited_while_the_panel_is_open():
 
 def broken_links_can_be_edited():
     document, brick = new_brick()
-    open_panel(brick)
-    wait_for(lambda: rows("sources"))
-    type_into("meshSize", "2 mm")
-    press(panel_button("OK"))
-    wait_for(lambda: not is_panel_open(), 60)
+    mesh_with_panel(brick)
     mesh = document.SweepMesh
     other = document.addObject("Part::Box", "Other")
     mesh.Sources = (other, ["Face1"])
@@ -185,11 +185,7 @@ def broken_links_can_be_edited():
 
 def save_close_reopen_edit():
     document, brick = new_brick()
-    open_panel(brick)
-    wait_for(lambda: rows("sources"))
-    type_into("meshSize", "2 mm")
-    press(panel_button("OK"))
-    wait_for(lambda: not is_panel_open(), 60)
+    mesh_with_panel(brick)
     count = document.SweepMesh.FemMesh.HexaCount
     path = str(pathlib.Path(OUT) / "saved.FCStd")
     document.saveAs(path)
