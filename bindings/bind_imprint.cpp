@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "sweepmesh/imprint_shapes.h"
+#include "sweepmesh/pipeline/imprint_shapes.h"
 
 namespace py = pybind11;
 

@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "sweepmesh/plan.h"
+#include "sweepmesh/pipeline/plan.h"
 
 namespace py = pybind11;
 

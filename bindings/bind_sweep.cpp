@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "sweepmesh/sweep_solids.h"
+#include "sweepmesh/pipeline/sweep_solids.h"
 
 namespace py = pybind11;
 

@@ -53,8 +53,8 @@ Timing measure(int n) {
   const Scheme scheme = test::upright_scheme(model);
   const Context context;
   const ImprintOptions options{.size = 4.0};
-  Timing run{static_cast<int>(find_walls(model, scheme, sweep_levels(model, scheme)).edges.size()), 0,
-          1e9};
+  Timing run{static_cast<int>(find_walls(model, scheme, sweep_levels(model, scheme)).edges.size()),
+             0, 1e9};
   for (int i = 0; i < 3; ++i) {
     const auto start = std::chrono::steady_clock::now();
     run.n_patches = imprint_caps(model, scheme, options, context).patches.size();

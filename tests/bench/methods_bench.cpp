@@ -13,14 +13,14 @@
 #include <string>
 
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/boundary.h"
 #include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/imprinted_boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/model/model.h"
+#include "sweepmesh/pipeline/boundary.h"
+#include "sweepmesh/pipeline/imprinted_boundary.h"
+#include "sweepmesh/pipeline/scheme_mesh.h"
 #include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/assess.h"
-#include "sweepmesh/scheme_mesh.h"
 #include "sweepmesh/volume/assemble.h"
 #include "sweepmesh/volume/place.h"
 

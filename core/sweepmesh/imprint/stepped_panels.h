@@ -1,6 +1,7 @@
 // A leaning linking face whose outline has steps, cut into panels from level to level.
 //
-//          +---------+   k = 2        Between two neighbouring levels of the face's own vertices its
+//          +---------+   k = 2        Between two neighbouring levels of the face's own vertices
+//          its
 //         /  panel 2  \               axial edges, sorted along i, are the left and right sides of
 //     +--+.............+    1         strips. Where a side passes a level between its ends, it is
 //    /       panel 1    \             taken there in proportion to the heights; what of a strip's

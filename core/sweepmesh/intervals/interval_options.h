@@ -37,7 +37,7 @@ struct IntervalOptions {
   /// The largest part of a plane face's area, 0 to 1, by which the chords along its curved edges
   /// should miss it: small segments of circles need more edges than their length and turn say.
   double max_area_error = 0.07;
-  bool quad_caps = true;             ///< caps are meshed by quads: their boundaries need even sums
+  bool quad_caps = true;  ///< caps are meshed by quads: their boundaries need even sums
   /// Seconds for the integer solver, for each independent part, > 0; empty: only its work is
   /// limited, so the counts do not depend on the machine.
   std::optional<double> time_limit_seconds = {};

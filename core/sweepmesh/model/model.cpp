@@ -45,7 +45,9 @@ Model Model::from_brep(const std::string& text, int solid) {
   return Model(make_impl(read_brep_text(text), solid));
 }
 
-Model Model::of_solid(int solid) const { return Model(make_impl(impl_->shape, solid)); }
+Model Model::of_solid(int solid) const {
+  return Model(make_impl(impl_->shape, solid));
+}
 
 int Model::n_solids() const {
   return impl_->n_solids;

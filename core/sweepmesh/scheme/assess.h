@@ -14,12 +14,13 @@ namespace sweepmesh {
 /// mesh is made.
 ///
 /// Picked sources and targets keep their roles; other faces take any. Where both were picked,
-/// schemes with no other caps come first. A face with a picked vertex type is a linking face, and the
-/// type holds wherever its loops pass the vertex; types that cannot hold together are a reason that
-/// names them. Throws InputError for a picked face that is not of this solid, a vertex that is not
-/// of its face or has two types there, and types on a picked cap; Cancelled. Never fails on an odd solid: what is not understood becomes
-/// a reason. The search is cut off after a fixed effort (about two seconds); that is a reason too
-/// where nothing was found by then. Source: thesis chapter 7.
+/// schemes with no other caps come first. A face with a picked vertex type is a linking face, and
+/// the type holds wherever its loops pass the vertex; types that cannot hold together are a reason
+/// that names them. Throws InputError for a picked face that is not of this solid, a vertex that is
+/// not of its face or has two types there, and types on a picked cap; Cancelled. Never fails on an
+/// odd solid: what is not understood becomes a reason. The search is cut off after a fixed effort
+/// (about two seconds); that is a reason too where nothing was found by then. Source: thesis
+/// chapter 7.
 Assessment assess(const Model& model, const Picks& picks, Context& context);
 
 /// The cheapest directions and types where the role of every face is given (indexed by FaceId), or

@@ -18,8 +18,9 @@ struct Side {
   EdgeId edge;
   VertexId end;
   double length = 0.0;
-  double heading = 0.0;                     ///< at its start
-  std::array<double, kSamples + 1> turned = {};  ///< of its tangent in the face, left positive, so far
+  double heading = 0.0;  ///< at its start
+  std::array<double, kSamples + 1> turned =
+      {};  ///< of its tangent in the face, left positive, so far
   bool is_one_way = true;
   double angle = 0.0;  ///< interior angle at its end
 

@@ -10,8 +10,9 @@ namespace sweepmesh {
 /// `n_faces` and `n_edges` are those of the whole shape. `division` is decided.
 Scheme to_scheme(const Network& network, const Division& division, int n_faces, int n_edges);
 
-/// What schemes are ordered by, the best first: by cost (angles, Preferences, distortion.h), then by the area
-/// of the caps (they are meshed freely; the less of that, the better), then by the faces' numbers.
+/// What schemes are ordered by, the best first: by cost (angles, Preferences, distortion.h), then
+/// by the area of the caps (they are meshed freely; the less of that, the better), then by the
+/// faces' numbers.
 struct Rank {
   double cost = 0.0;
   double cap_area = 0.0;

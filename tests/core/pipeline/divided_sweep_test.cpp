@@ -1,5 +1,5 @@
 // Solids whose boundary has to turn in the middle of rounded edges.
-#include "sweepmesh/divided_sweep.h"
+#include "sweepmesh/pipeline/divided_sweep.h"
 
 #include <gtest/gtest.h>
 

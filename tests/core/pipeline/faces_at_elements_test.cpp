@@ -1,13 +1,13 @@
 // Elements and the CAD faces beside them, on a box of 3 x 3 x 3 hexahedra.
-#include "sweepmesh/faces_at_elements.h"
+#include "sweepmesh/pipeline/faces_at_elements.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "solids.h"
-#include "sweepmesh/boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/pipeline/boundary.h"
 #include "sweepmesh/scheme/assess.h"
 
 namespace sweepmesh {

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/pipeline/sweep.h"
 #include "terraces.h"
 
 namespace sweepmesh {

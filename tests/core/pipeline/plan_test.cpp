@@ -1,5 +1,5 @@
 // A plan says beforehand what a sweep then does.
-#include "sweepmesh/plan.h"
+#include "sweepmesh/pipeline/plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Sweeps through the thickness of a wall, from model to mesh.
 #include <gtest/gtest.h>
 
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/pipeline/sweep.h"
 #include "walled.h"
 
 namespace sweepmesh {

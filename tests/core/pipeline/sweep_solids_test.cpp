@@ -1,5 +1,5 @@
 // Shapes of several solids: one verdict, meshes side by side, picks where they belong.
-#include "sweepmesh/sweep_solids.h"
+#include "sweepmesh/pipeline/sweep_solids.h"
 
 #include <gtest/gtest.h>
 

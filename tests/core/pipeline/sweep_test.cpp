@@ -1,5 +1,5 @@
 // The whole pipeline over families of solids: what must be true of every swept mesh.
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/pipeline/sweep.h"
 
 #include <gtest/gtest.h>
 

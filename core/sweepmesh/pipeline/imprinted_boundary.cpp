@@ -1,4 +1,4 @@
-#include "sweepmesh/imprinted_boundary.h"
+#include "sweepmesh/pipeline/imprinted_boundary.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/pipeline/sweep.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "sweepmesh/divided_sweep.h"
-#include "sweepmesh/scheme_mesh.h"
+#include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/scheme_mesh.h"
 
 namespace sweepmesh {
 namespace {

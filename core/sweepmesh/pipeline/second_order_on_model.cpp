@@ -1,4 +1,4 @@
-#include "sweepmesh/second_order_on_model.h"
+#include "sweepmesh/pipeline/second_order_on_model.h"
 
 #include "sweepmesh/volume/second_order.h"
 

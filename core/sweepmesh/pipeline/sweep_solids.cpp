@@ -1,8 +1,8 @@
-#include "sweepmesh/sweep_solids.h"
+#include "sweepmesh/pipeline/sweep_solids.h"
 
 #include <algorithm>
 
-#include "sweepmesh/divided_sweep.h"
+#include "sweepmesh/pipeline/divided_sweep.h"
 
 namespace sweepmesh {
 namespace {

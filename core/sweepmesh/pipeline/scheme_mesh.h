@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sweepmesh/intervals/intervals.h"
-#include "sweepmesh/stage_clock.h"
-#include "sweepmesh/sweep_options.h"
+#include "sweepmesh/pipeline/stage_clock.h"
+#include "sweepmesh/pipeline/sweep_options.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
 namespace sweepmesh {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sweepmesh/scheme_mesh.h"
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/pipeline/scheme_mesh.h"
+#include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {
 

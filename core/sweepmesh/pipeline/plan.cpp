@@ -1,13 +1,13 @@
-#include "sweepmesh/plan.h"
+#include "sweepmesh/pipeline/plan.h"
 
 #include <algorithm>
 #include <exception>
 
-#include "sweepmesh/divided_sweep.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
 #include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/pipeline/divided_sweep.h"
 
 namespace sweepmesh {
 namespace {

@@ -1,9 +1,9 @@
 // The boundary of a sweep through the thickness of a wall, meshed.
 #pragma once
 
-#include "sweepmesh/boundary.h"
 #include "sweepmesh/imprint/shell.h"
 #include "sweepmesh/imprint/shell_counts.h"
+#include "sweepmesh/pipeline/boundary.h"
 
 namespace sweepmesh {
 

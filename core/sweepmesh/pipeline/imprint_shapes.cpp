@@ -1,4 +1,4 @@
-#include "sweepmesh/imprint_shapes.h"
+#include "sweepmesh/pipeline/imprint_shapes.h"
 
 #include <exception>
 #include <map>
@@ -7,7 +7,7 @@
 #include "sweepmesh/imprint/divided_caps.h"
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/shell.h"
-#include "sweepmesh/sweep_solids.h"
+#include "sweepmesh/pipeline/sweep_solids.h"
 
 namespace sweepmesh {
 namespace {

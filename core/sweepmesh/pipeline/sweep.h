@@ -8,9 +8,9 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
+#include "sweepmesh/pipeline/sweep_options.h"
 #include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/assess.h"
-#include "sweepmesh/sweep_options.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
 namespace sweepmesh {

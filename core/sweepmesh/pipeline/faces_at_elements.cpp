@@ -1,4 +1,4 @@
-#include "sweepmesh/faces_at_elements.h"
+#include "sweepmesh/pipeline/faces_at_elements.h"
 
 #include <algorithm>
 #include <set>
@@ -16,9 +16,8 @@ std::vector<std::string> faces_at_elements(const SurfaceMesh& surface, const Ass
   std::set<FaceId> beside, touching;
   for (int c = 0; c < surface.n_cells(); ++c) {
     const auto first = surface.cell_nodes.begin() + surface.cell_offset[c];
-    const auto n = std::count_if(first, first + surface.cell_size(c), [&](int node) {
-      return is_near[assembly.volume_node[node]];
-    });
+    const auto n = std::count_if(first, first + surface.cell_size(c),
+                                 [&](int node) { return is_near[assembly.volume_node[node]]; });
     if (n == surface.cell_size(c)) beside.insert(surface.cell_face[c]);
     if (n > 0) touching.insert(surface.cell_face[c]);
   }

@@ -1,4 +1,4 @@
-#include "sweepmesh/shell_boundary.h"
+#include "sweepmesh/pipeline/shell_boundary.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,17 +1,17 @@
-#include "sweepmesh/scheme_mesh.h"
+#include "sweepmesh/pipeline/scheme_mesh.h"
 
 #include <cmath>
 #include <exception>
 #include <set>
 #include <utility>
 
-#include "sweepmesh/boundary.h"
-#include "sweepmesh/faces_at_elements.h"
 #include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/imprinted_boundary.h"
 #include "sweepmesh/intervals/assign_intervals.h"
-#include "sweepmesh/second_order_on_model.h"
-#include "sweepmesh/shell_boundary.h"
+#include "sweepmesh/pipeline/boundary.h"
+#include "sweepmesh/pipeline/faces_at_elements.h"
+#include "sweepmesh/pipeline/imprinted_boundary.h"
+#include "sweepmesh/pipeline/second_order_on_model.h"
+#include "sweepmesh/pipeline/shell_boundary.h"
 #include "sweepmesh/volume/place.h"
 
 namespace sweepmesh {

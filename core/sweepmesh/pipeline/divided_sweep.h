@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "sweepmesh/model/divided_model.h"
-#include "sweepmesh/plan.h"
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/pipeline/plan.h"
+#include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sweepmesh/sweep.h"
+#include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {
 

@@ -1,10 +1,10 @@
 // The boundary of a sweep with any number of sources and targets, meshed.
 #pragma once
 
-#include "sweepmesh/boundary.h"
 #include "sweepmesh/imprint/base_mesh.h"
 #include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/imprint/imprint_counts.h"
+#include "sweepmesh/pipeline/boundary.h"
 
 namespace sweepmesh {
 

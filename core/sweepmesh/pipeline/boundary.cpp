@@ -1,4 +1,4 @@
-#include "sweepmesh/boundary.h"
+#include "sweepmesh/pipeline/boundary.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "sweepmesh/sweep_options.h"
+#include "sweepmesh/pipeline/sweep_options.h"
 
 #include <algorithm>
 #include <cmath>

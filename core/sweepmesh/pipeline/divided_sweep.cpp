@@ -1,4 +1,4 @@
-#include "sweepmesh/divided_sweep.h"
+#include "sweepmesh/pipeline/divided_sweep.h"
 
 #include <algorithm>
 #include <cmath>
