@@ -23,6 +23,18 @@ def load_form(name):
     return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
 
 
+def clear_lists(forms):
+    """Empty the lists of forms that close.
+
+    Else the Python halves of their rows may outlive the rows, and PySide 2 takes one for whatever Qt puts at its
+    address next, be it a widget of another workbench.
+    """
+    for form in forms:
+        for rows in form.findChildren(QtGui.QListWidget):
+            rows.blockSignals(True)
+            rows.clear()
+
+
 class Widgets:
     """The widgets of several forms by their names, as if they were one form."""
 

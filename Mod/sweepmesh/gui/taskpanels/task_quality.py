@@ -6,7 +6,7 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from sweepmesh.gui.overlays.elements import ElementOverlay, colours_of
-from sweepmesh.gui.resources import button, icon, load_form, tr
+from sweepmesh.gui.resources import button, clear_lists, icon, load_form, tr
 from sweepmesh.gui.taskpanels.histogram import Histogram
 
 N_WORST = 20
@@ -101,6 +101,7 @@ class QualityPanel:
     def _close(self):
         FreeCAD.removeDocumentObserver(self)
         self._overlay.remove()
+        clear_lists([self.form])
         self._mesh.ViewObject.Visibility = self._was_visible
         QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
 
