@@ -9,7 +9,7 @@ from driver import QtGui, check, go, is_panel_open, main_window, panel_button, p
 
 from sweepmesh import app
 
-ROUNDS = 30
+ROUNDS = 20
 
 
 def steps():

@@ -34,6 +34,7 @@ def run(macro, folder, timeout=300, environment=None):
     folder.mkdir(parents=True, exist_ok=True)
     for old in [*folder.glob("*.png"), *folder.glob("results.json")]:
         old.unlink()
+    subprocess.run([ROOT / "scripts" / "translations.sh"], check=True)
     home = _home(folder)
     with _server() as display:
         log = folder / "freecad.log"
