@@ -8,8 +8,8 @@ sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
 from driver import (
-    LEFT, NO_KEY, OUT, QTest, check, click_row, go, is_panel_open, is_shown, left_of_panels, note, panel_button, picture, press, row_of,
-    rows, settle, show_all, tool_button, type_into, wait_for, widget,
+    LEFT, NO_KEY, OUT, QTest, check, click_row, go, is_panel_open, is_shown, left_of_panels, note, panel_button,
+    picture, press, row_of, rows, settle, show_all, tool_button, type_into, wait_for, widget,
 )
 from overlays import nodes
 from pivy import coin

@@ -40,7 +40,8 @@ def steps():
 def a_command(asked):
     ask_about(tool_button(COMMAND))
     check("FreeCAD's help is asked for a page", lambda: len(asked) == 1)
-    check("which is there and says what the command does", COMMAND in pathlib.Path(asked[0]).read_text(encoding="utf-8"))
+    page = pathlib.Path(asked[0]).read_text(encoding="utf-8")
+    check("which is there and says what the command does", COMMAND in page)
     check("the command does not run", not is_panel_open())
 
 
