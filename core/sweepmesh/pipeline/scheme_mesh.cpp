@@ -12,6 +12,7 @@
 #include "sweepmesh/pipeline/imprinted_boundary.h"
 #include "sweepmesh/pipeline/second_order_on_model.h"
 #include "sweepmesh/pipeline/shell_boundary.h"
+#include "sweepmesh/pipeline/sliding_nodes.h"
 #include "sweepmesh/volume/place.h"
 
 namespace sweepmesh {
@@ -49,10 +50,12 @@ BoundaryMesh without_overlaps(BoundaryMesh boundary) {
   return boundary;
 }
 
-VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
+VolumeMesh fill(const Model& model, const BoundaryMesh& boundary, Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
+  PlacementOptions options;
+  options.sliding = sliding_nodes(model, boundary.surface, assembly);
   try {
-    place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
+    place_interior(assembly.extrusion, assembly.fixed, assembly.points, options, context);
   } catch (const InvalidMeshError& e) {
     throw InvalidMeshError(e.stage(), e.what(),
                            faces_at_elements(boundary.surface, assembly, e.elements()),
@@ -86,7 +89,7 @@ class SchemeMesher {
     forget_unused_edges(boundary, out_.intervals);
     context_.report(0.6, "Placing interior nodes");
     out_.mesh = clock_.run("place", [&] {
-      VolumeMesh mesh = fill(boundary, context_);
+      VolumeMesh mesh = fill(model_, boundary, context_);
       if (options_.order == 2) add_mid_nodes_on(model_, mesh, context_, out_.warnings);
       return mesh;
     });
