@@ -53,7 +53,9 @@ BoundaryMesh without_overlaps(BoundaryMesh boundary) {
 VolumeMesh fill(const Model& model, const BoundaryMesh& boundary, Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
   PlacementOptions options;
-  options.sliding = sliding_nodes(model, boundary.surface, assembly);
+  MovableNodes movable = movable_nodes(model, boundary.surface, assembly);
+  options.sliding = std::move(movable.sliding);
+  options.curved = std::move(movable.curved);
   try {
     place_interior(assembly.extrusion, assembly.fixed, assembly.points, options, context);
   } catch (const InvalidMeshError& e) {

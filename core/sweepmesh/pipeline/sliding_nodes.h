@@ -6,13 +6,17 @@
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/surface/surface_mesh.h"
 #include "sweepmesh/volume/assemble.h"
-#include "sweepmesh/volume/untangle.h"
+#include "sweepmesh/volume/raise_least.h"
 
 namespace sweepmesh {
 
-/// Those inside planar faces, ascending by volume node. Nodes on edges and at vertices stay, so
-/// that a valid mesh of the face stays within it.
-std::vector<SlidingNode> sliding_nodes(const Model& model, const SurfaceMesh& surface,
-                                       const Assembly& assembly);
+/// Those inside faces: on planar ones, and on curved ones. Nodes on edges and at vertices stay, so
+/// that a valid mesh of the face stays within it. The result keeps a reference to the model.
+struct MovableNodes {
+  std::vector<SlidingNode> sliding;
+  CurvedNodes curved;
+};
+MovableNodes movable_nodes(const Model& model, const SurfaceMesh& surface,
+                           const Assembly& assembly);
 
 }  // namespace sweepmesh

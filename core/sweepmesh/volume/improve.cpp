@@ -37,8 +37,13 @@ class Improver {
       if (least < before + worth_it()) break;
     }
     // First within the boundary's mesh as it is: from there sliding nodes find more often on.
-    least = raise(least, {});
-    return options_.sliding.empty() ? least : raise(least, options_.sliding);
+    const Points whole = points_;
+    RaiseOptions how;
+    how.lengths_of = &whole;
+    least = raise(least, how);
+    how.sliding = options_.sliding;
+    how.curved = options_.curved;
+    return how.sliding.empty() && how.curved.nodes.empty() ? least : raise(least, std::move(how));
   }
 
  private:
@@ -79,12 +84,10 @@ class Improver {
     return check_elements(x_, points_, threshold, team_).min_scaled_jacobian;
   }
 
-  double raise(double least, const std::vector<SlidingNode>& sliding) {
+  double raise(double least, RaiseOptions how) {
     constexpr int most_rounds = 8, most_rings = 4;
     const double window = 3.0 * options_.lift_within, least_gain = 0.1 * worth_it();
-    RaiseOptions how;
-    how.sliding = sliding;
-    const std::vector<char> held = without_sliding(fixed_, sliding);
+    const std::vector<char> held = without_moving(fixed_, how);
     for (int round = 0; round < most_rounds && how.rings <= most_rings; ++round) {
       Candidates worst = find(std::min(least + window, options_.lift_below), least_gain, held);
       // What is better than the boundary lets the worst be needs no help.

@@ -12,6 +12,7 @@
 #include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/base_metric.h"
 #include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/raise_least.h"
 #include "sweepmesh/volume/untangle.h"
 
 namespace sweepmesh {
@@ -27,6 +28,7 @@ struct ImproveOptions {
   long at_most = 1000;
   double at_most_part = 1e-4;
   std::vector<SlidingNode> sliding;  ///< ascending by node
+  CurvedNodes curved;
 };
 
 /// All elements must be positive, `least` is the least of their scaled Jacobians; returns what it

@@ -31,30 +31,16 @@ struct FreeNode {
   Point3 normal = Point3::Zero();  ///< of the plane that it stays in, if any
 };
 
-/// The normals of sliding nodes.
-class Planes {
- public:
-  explicit Planes(const std::vector<SlidingNode>& sliding) : sliding_(sliding) {}
-  const SlidingNode* find(long node) const {
-    const auto it = std::lower_bound(sliding_.begin(), sliding_.end(), node,
-                                     [](const SlidingNode& s, long n) { return s.node < n; });
-    return it != sliding_.end() && it->node == node ? &*it : nullptr;
-  }
-
- private:
-  const std::vector<SlidingNode>& sliding_;
-};
-
 /// Free nodes in sets that move at the same time.
 std::vector<std::vector<FreeNode>> independent_sets(const Extrusion& x,
                                                     const std::vector<char>& fixed,
                                                     const CellsOfColumns& cells,
-                                                    const Planes& planes) {
+                                                    const std::vector<SlidingNode>& sliding) {
   const std::vector<int> colour = colour_columns(x, cells);
   std::vector<std::vector<FreeNode>> sets;
   for (int c = 0; c < x.n_columns(); ++c)
     for (int k = x.k_low[c]; k <= x.k_high[c]; ++k) {
-      const SlidingNode* plane = planes.find(x.node(c, k));
+      const SlidingNode* plane = find_sliding(sliding, x.node(c, k));
       if (fixed[x.node(c, k)] && !plane) continue;
       const std::size_t set = 2 * colour[c] + (k - x.k_low[c]) % 2;
       if (sets.size() <= set) sets.resize(set + 1);
@@ -158,7 +144,7 @@ void ascend_nodes(const Extrusion& extrusion, const std::vector<char>& fixed,
                   const Context& context) {
   const CellsOfColumns cells(extrusion);
   const std::vector<std::vector<FreeNode>> sets =
-      independent_sets(extrusion, fixed, cells, Planes(options.sliding));
+      independent_sets(extrusion, fixed, cells, options.sliding);
   const double floor = check_elements(extrusion, points, 0.0, team).min_scaled_jacobian;
   std::vector<double> length(fixed.size(), options.first_step);
   for (int sweep = 0; sweep < options.n_sweeps; ++sweep)

@@ -116,6 +116,7 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
   if (!report.inverted.empty() || !may_improve) return;
   ImproveOptions improve = options.improve;
   improve.sliding = options.sliding;
+  improve.curved = options.curved;
   const double least = improve_elements(x, fixed, metric, improve, report.min_scaled_jacobian,
                                         points, team, context);
   if (report.mean_scaled_jacobian < options.raise_mean_below &&

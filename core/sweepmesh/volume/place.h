@@ -30,7 +30,7 @@ struct PlacementOptions {
   /// Factor by which the solver reduces its own residual, in (0, 1).
   double reduction = 1e-4;
   /// Once all elements are positive, and if a residual was solved for: layers that are exact images
-  /// of the caps stay so. Its `sliding` is that below.
+  /// of the caps stay so. Its `sliding` and `curved` are those below.
   ImproveOptions improve;
   /// Where the mean scaled Jacobian is below this (and layers are no exact images of the caps),
   /// nodes are moved to raise it; 0..1, 0 switches it off. Not in meshes with more elements than
@@ -42,6 +42,8 @@ struct PlacementOptions {
   int max_attempts = 5;
   /// Fixed nodes that untangling and improving may move within a plane. Empty: none.
   std::vector<SlidingNode> sliding;
+  /// Fixed nodes that improving may move on curved faces. Empty: none.
+  CurvedNodes curved;
 };
 
 struct PlacementReport {

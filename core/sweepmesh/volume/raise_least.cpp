@@ -16,6 +16,10 @@ namespace {
 
 using Numbers = std::vector<long>;
 
+bool contains(const Numbers& sorted, long value) {
+  return std::binary_search(sorted.begin(), sorted.end(), value);
+}
+
 /// Three sums of edges; their normalised determinant times `factor` is a value. A corner's are its
 /// own edges, a centre's the principal axes.
 struct Triple {
@@ -66,12 +70,32 @@ void add_gradient(const Triple& t, const Axes& a, double weight, Points& rows) {
   }
 }
 
+/// An edge: its value is that of its length over the one it had.
+struct Edge {
+  int a, b;
+  double whole;  ///< length
+};
+constexpr double shortest_share = 0.4, steepness = 5.0;
+
+double value_of(const Edge& e, const Points& x) {
+  return steepness * ((x.row(e.a) - x.row(e.b)).norm() / e.whole - shortest_share);
+}
+
+void add_gradient(const Edge& e, double weight, const Points& x, Points& rows) {
+  const Eigen::RowVector3d along = x.row(e.a) - x.row(e.b);
+  const double length = along.norm();
+  if (!(length > 0.0)) return;
+  const Eigen::RowVector3d g = weight * steepness / (e.whole * length) * along;
+  rows.row(e.a) += g;
+  rows.row(e.b) -= g;
+}
+
 /// One patch, its nodes numbered anew: free ones first. The unknowns are moves of the free nodes,
 /// each in units of the shortest edge at the node.
 class PatchAscent {
  public:
   PatchAscent(const Extrusion& x, const ElementIndex& index, const ElementPatch& patch,
-              const std::vector<SlidingNode>& sliding, const Points& points)
+              const RaiseOptions& options, const Points& points)
       : patch_(patch), n_free_(static_cast<int>(patch.free_nodes.size())) {
     for (const long e : patch.elements)
       index.for_nodes(index.element(e), [&](long n) { held_.push_back(n); });
@@ -84,10 +108,13 @@ class PatchAscent {
       start_.row(i) = points.row(i < n_free_ ? patch.free_nodes[i] : held_[i - n_free_]);
     unit_.assign(start_.rows(), std::numeric_limits<double>::infinity());
     for (const long e : patch.elements) add_element(x, index.element(e));
-    for (const SlidingNode& s : sliding) {
-      const long i = position_in(patch.free_nodes, s.node);
-      if (i < n_free_ && patch.free_nodes[i] == s.node)
-        sliding_.emplace_back(static_cast<int>(i), s.normal);
+    add_edges(options.lengths_of ? *options.lengths_of : points);
+    for (int i = 0; i < n_free_; ++i) {
+      const long node = patch.free_nodes[i];
+      if (const SlidingNode* s = find_sliding(options.sliding, node))
+        sliding_.emplace_back(i, s->normal);
+      else if (contains(options.curved.nodes, node))
+        sliding_.emplace_back(i, options.curved.onto(node, start_.row(i)).normal);
     }
     now_ = gradient_ = start_;
   }
@@ -142,6 +169,24 @@ class PatchAscent {
     }
   }
 
+  /// Of the triples' corners, each once.
+  void add_edges(const Points& whole) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const Triple& t : triples_)
+      for (int i = 1; !t.is_centre && i < 4; ++i)
+        if (std::min(t.node[0], t.node[i]) < n_free_)
+          pairs.emplace_back(std::minmax(t.node[0], t.node[i]));
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    const auto global = [&](int i) {
+      return i < n_free_ ? patch_.free_nodes[i] : held_[i - n_free_];
+    };
+    for (const auto& [a, b] : pairs) {
+      const double length = (whole.row(global(a)) - whole.row(global(b))).norm();
+      if (length > 0.0) edges_.push_back({a, b, length});
+    }
+  }
+
   void put(const Eigen::VectorXd& moves) {
     for (int i = 0; i < n_free_; ++i)
       now_.row(i) = start_.row(i) + unit_[i] * moves.segment<3>(3L * i).transpose();
@@ -150,15 +195,19 @@ class PatchAscent {
   double soft_value(const Eigen::VectorXd& moves, double sharpness, Eigen::VectorXd* gradient) {
     constexpr double negligible = 1e-9;  // weight
     put(moves);
-    values_.resize(triples_.size());
-    for (std::size_t t = 0; t < triples_.size(); ++t)
+    const std::size_t n = triples_.size();
+    values_.resize(n + edges_.size());
+    for (std::size_t t = 0; t < n; ++t)
       values_[t] = value_of(triples_[t], axes_of(triples_[t], now_));
+    for (std::size_t e = 0; e < edges_.size(); ++e) values_[n + e] = value_of(edges_[e], now_);
     const double value = soft_least(values_, sharpness);
     if (!gradient) return value;
     gradient_.setZero();
-    for (std::size_t t = 0; t < triples_.size(); ++t)
+    for (std::size_t t = 0; t < n; ++t)
       if (values_[t] > negligible)
         add_gradient(triples_[t], axes_of(triples_[t], now_), values_[t], gradient_);
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (values_[n + e] > negligible) add_gradient(edges_[e], values_[n + e], now_, gradient_);
     for (const auto& [i, normal] : sliding_)
       gradient_.row(i) -= gradient_.row(i).dot(normal.transpose()) * normal.transpose();
     for (int i = 0; i < n_free_; ++i)
@@ -172,6 +221,7 @@ class PatchAscent {
   Points start_, now_, gradient_;
   std::vector<double> unit_, values_;
   std::vector<Triple> triples_;
+  std::vector<Edge> edges_;
   std::vector<std::pair<int, Point3>> sliding_;
 };
 
@@ -186,13 +236,16 @@ double least_of(const Extrusion& x, const ElementIndex& index, const Points& poi
 void raise_patch(const Extrusion& x, const ElementIndex& index, const ElementPatch& patch,
                  const RaiseOptions& options, const Context& context, Points& points) {
   if (patch.free_nodes.empty()) return;
-  PatchAscent ascent(x, index, patch, options.sliding, points);
+  PatchAscent ascent(x, index, patch, options, points);
   const double before = least_of(x, index, points, patch.elements);
   const Points after = ascent.ascend(options.ascent, context);
   Points old(after.rows(), 3);
   for (long i = 0; i < after.rows(); ++i) {
     old.row(i) = points.row(patch.free_nodes[i]);
-    points.row(patch.free_nodes[i]) = after.row(i);
+    const long node = patch.free_nodes[i];
+    points.row(node) = after.row(i);
+    if (contains(options.curved.nodes, node))
+      points.row(node) = options.curved.onto(node, after.row(i)).point;
   }
   if (least_of(x, index, points, patch.elements) > before) return;
   for (long i = 0; i < after.rows(); ++i) points.row(patch.free_nodes[i]) = old.row(i);
@@ -200,11 +253,17 @@ void raise_patch(const Extrusion& x, const ElementIndex& index, const ElementPat
 
 }  // namespace
 
+std::vector<char> without_moving(const std::vector<char>& fixed, const RaiseOptions& options) {
+  std::vector<char> held = without_sliding(fixed, options.sliding);
+  for (const long node : options.curved.nodes) held[node] = 0;
+  return held;
+}
+
 void raise_least(const Extrusion& extrusion, const std::vector<char>& fixed, Points& points,
                  const RaiseOptions& options, const Numbers& elements, ThreadTeam& team,
                  const Context& context) {
   const ElementIndex index(extrusion);
-  const std::vector<char> is_held = without_sliding(fixed, options.sliding);
+  const std::vector<char> is_held = without_moving(fixed, options);
   const std::vector<ElementPatch> patches = find_patches(index, is_held, elements, options.rings);
   team.for_chunks(static_cast<long>(patches.size()), 1, [&](long p, long, long) {
     raise_patch(extrusion, index, patches[p], options, context, points);

@@ -93,11 +93,9 @@ struct PatchProblem {
             ideal_volume += w.determinant();
             problem.corners.push_back({{local(o), local(a), local(b), local(c)}, w.inverse()});
           });
-    for (const SlidingNode& s : sliding) {
-      const long i = position_in(patch.free_nodes, s.node);
-      if (i < problem.n_free && patch.free_nodes[i] == s.node)
-        problem.sliding.emplace_back(static_cast<int>(i), s.normal);
-    }
+    for (int i = 0; i < problem.n_free; ++i)
+      if (const SlidingNode* s = find_sliding(sliding, patch.free_nodes[i]))
+        problem.sliding.emplace_back(i, s->normal);
     // Ideal elements fill the patch as it is.
     if (volume > 0.0)
       for (CornerTet& corner : problem.corners) corner.ideal *= std::cbrt(ideal_volume / volume);
@@ -158,6 +156,12 @@ std::array<long, 4> corner_nodes(const Extrusion& x, SweptElement e, int i, int 
 }
 
 }  // namespace
+
+const SlidingNode* find_sliding(const std::vector<SlidingNode>& sliding, long node) {
+  const auto it = std::lower_bound(sliding.begin(), sliding.end(), node,
+                                   [](const SlidingNode& s, long n) { return s.node < n; });
+  return it != sliding.end() && it->node == node ? &*it : nullptr;
+}
 
 std::vector<char> without_sliding(std::vector<char> fixed,
                                   const std::vector<SlidingNode>& sliding) {

@@ -27,6 +27,9 @@ struct SlidingNode {
   Point3 normal = Point3::Zero();
 };
 
+/// The entry of a node in an ascending list, or null.
+const SlidingNode* find_sliding(const std::vector<SlidingNode>& sliding, long node);
+
 /// `fixed` without the nodes that may slide.
 std::vector<char> without_sliding(std::vector<char> fixed, const std::vector<SlidingNode>& sliding);
 

@@ -127,26 +127,41 @@ TEST(RaiseLeast, SlidingNodesStayInTheirPlane) {
   for (const SlidingNode& s : options.sliding) EXPECT_NEAR(points(s.node, 2), 5.0, 1e-12);
 }
 
-/// The boundary of a turning hole bounds the least value; inner nodes reach that.
-TEST(PlaceInterior, LeastValueReachesWhatTheBoundaryAllows) {
-  for (const double turn : {0.3, 0.4, 0.5}) {
-    const Solid solid =
-        make_solid(make_square_with_hole(14, 4), 6, [&](double x, double y, double w) {
-          const double r = std::max(std::abs(x), std::abs(y));
-          const double a = turn * w * std::clamp((7.0 - r) / 5.0, 0.0, 1.0);
-          return Point3(std::cos(a) * x - std::sin(a) * y, std::sin(a) * x + std::cos(a) * y,
-                        8 * w);
-        });
+double least_bound(const Solid& solid, const Points& points) {
+  const ElementIndex index(solid.extrusion);
+  double bound = PlacementOptions{}.improve.lift_below;
+  for (long e = 0; e < solid.extrusion.n_elements(); ++e)
+    bound =
+        std::min(bound, bound_by_boundary(solid.extrusion, solid.fixed, points, index.element(e)));
+  return bound;
+}
+
+/// A block whose sides wind, so that inner nodes and not the caps make the worst elements.
+Solid winding(double amount) {
+  return make_solid(make_square_with_hole(12, 4), 16, [=](double x, double y, double w) {
+    const double r = std::max(std::abs(x), std::abs(y));
+    const double turn = amount * std::sin(2 * M_PI * w) * std::clamp((6.0 - r) / 4.0, 0.0, 1.0);
+    return Point3(std::cos(turn) * x - std::sin(turn) * y, std::sin(turn) * x + std::cos(turn) * y,
+                  16 * w);
+  });
+}
+
+TEST(PlaceInterior, LeastValueComesNearWhatTheBoundaryAllows) {
+  for (const double amount : {0.5, 0.6, 0.7}) {
+    const Solid solid = winding(amount);
     Points points = solid.input();
+    PlacementOptions options;
     Context context;
     const double least =
-        place_interior(solid.extrusion, solid.fixed, points, {}, context).min_scaled_jacobian;
-    const ElementIndex index(solid.extrusion);
-    double bound = PlacementOptions{}.improve.lift_below;
-    for (long e = 0; e < solid.extrusion.n_elements(); ++e)
-      bound = std::min(bound,
-                       bound_by_boundary(solid.extrusion, solid.fixed, points, index.element(e)));
-    EXPECT_GT(least, bound - 0.01) << turn;
+        place_interior(solid.extrusion, solid.fixed, points, options, context).min_scaled_jacobian;
+    points = solid.input();
+    options.improve.up_to = options.improve.lift_below = 0.0;
+    const double without =
+        place_interior(solid.extrusion, solid.fixed, points, options, context).min_scaled_jacobian;
+    std::printf("%g: %.3f without, %.3f with, bound %.3f\n", amount, without, least,
+                least_bound(solid, points));
+    EXPECT_GT(least, without + 0.2) << amount;
+    EXPECT_GT(least, least_bound(solid, points) - 0.01) << amount;
   }
 }
 
