@@ -127,6 +127,60 @@ TEST(RaiseLeast, SlidingNodesStayInTheirPlane) {
   for (const SlidingNode& s : options.sliding) EXPECT_NEAR(points(s.node, 2), 5.0, 1e-12);
 }
 
+TEST(RaiseLeast, NodesOfCurvedFacesStayOnThem) {
+  constexpr double radius = 8.0;
+  const Solid solid = make_solid(make_grid(8, 4), 4, [](double x, double y, double w) {
+    const double r = radius + y - 2.0, angle = -0.12 * x;
+    return Point3(r * std::cos(angle), r * std::sin(angle), 4 * w);
+  });
+  RaiseOptions options;
+  options.curved.onto = [=](long, const Point3& p) -> CurvedNodes::Place {
+    const Point3 normal = Point3(p.x(), p.y(), 0.0).normalized();
+    return {radius * normal + Point3(0, 0, p.z()), normal};
+  };
+  for (long n = 0; n < solid.exact.rows(); ++n) {
+    const Point3 p = solid.exact.row(n);
+    if (std::abs(p.head<2>().norm() - radius) < 1e-9 && std::abs(std::atan2(p.y(), p.x())) < 0.4 &&
+        p.z() > 0.5 && p.z() < 3.5)
+      options.curved.nodes.push_back(n);
+  }
+  ASSERT_EQ(options.curved.nodes.size(), 21u);
+  Points points = solid.exact;
+  const long moved = options.curved.nodes[10];
+  const Point3 pushed = Point3(points.row(moved)) + Point3(0.0, 0.5, 0.4);
+  points.row(moved) = options.curved.onto(moved, pushed).point;
+  ThreadTeam team;
+  const ElementCheck before = check_elements(solid.extrusion, points, 0.9, team);
+  raise_least(solid.extrusion, solid.fixed, points, options, before.bad, team, Context());
+  const ElementCheck after = check_elements(solid.extrusion, points, 0.9, team);
+  EXPECT_LT(before.min_scaled_jacobian, 0.8);
+  EXPECT_GT(after.min_scaled_jacobian, 0.9);
+  for (const long node : options.curved.nodes)
+    EXPECT_NEAR(points.row(node).head<2>().norm(), radius, 1e-12);
+}
+
+/// Angles alone would let nodes fall into one.
+TEST(RaiseLeast, EdgesKeepTwoFifthsOfTheirLength) {
+  for (const Solid& solid : right_prisms()) {
+    const Points start = scrambled(solid, 0.35);
+    Points points = start;
+    ThreadTeam team;
+    RaiseOptions options;
+    options.rings = 2;
+    options.lengths_of = &start;
+    for (int round = 0; round < 5; ++round)
+      raise_least(solid.extrusion, solid.fixed, points, options,
+                  check_elements(solid.extrusion, points, 0.9, team).bad, team, Context());
+    const Extrusion& x = solid.extrusion;
+    for (int c = 0; c < x.n_columns(); ++c)
+      for (int k = x.k_low[c]; k < x.k_high[c]; ++k) {
+        const long a = x.node(c, k);
+        EXPECT_GT((points.row(a + 1) - points.row(a)).norm(),
+                  0.4 * (start.row(a + 1) - start.row(a)).norm());
+      }
+  }
+}
+
 double least_bound(const Solid& solid, const Points& points) {
   const ElementIndex index(solid.extrusion);
   double bound = PlacementOptions{}.improve.lift_below;
