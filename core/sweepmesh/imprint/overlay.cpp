@@ -222,7 +222,7 @@ class Overlayer {
       if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
       const Point2 foot = at_arc(graph_.pieces[s.piece].points, s.arc).point;
       cut_piece(s.piece, s.arc, s.node);
-      if (is_corner_[s.node]) move_node(s.node, foot);
+      if (is_corner_[s.node] && s.distance > reference_.coincidence) move_node(s.node, foot);
       is_cut[s.piece] = any = true;
     }
     return any;
