@@ -25,6 +25,14 @@ struct Triple {
   double factor = 1.0;
 };
 
+/// An edge, nodes numbered within the patch. Its value is its length by `length`, which keeps it
+/// from shrinking: scaled Jacobians do not change where a whole element does.
+struct Rod {
+  int a, b;
+  bool is_column;
+  double length = 0.0;
+};
+
 /// Signs of a hexahedron's corners (low ring, high ring) in its principal axes.
 constexpr std::array<std::array<double, 8>, 3> axis_signs = {
     {{-1, 1, 1, -1, -1, 1, 1, -1}, {-1, -1, 1, 1, -1, -1, 1, 1}, {-1, -1, -1, -1, 1, 1, 1, 1}}};
@@ -71,7 +79,7 @@ void add_gradient(const Triple& t, const Axes& a, double weight, Points& rows) {
 class PatchAscent {
  public:
   PatchAscent(const Extrusion& x, const ElementIndex& index, const ElementPatch& patch,
-              const std::vector<SlidingNode>& sliding, const Points& points)
+              const std::vector<SlidingNode>& sliding, const Points& points, double least)
       : patch_(patch), n_free_(static_cast<int>(patch.free_nodes.size())) {
     for (const long e : patch.elements)
       index.for_nodes(index.element(e), [&](long n) { held_.push_back(n); });
@@ -84,6 +92,7 @@ class PatchAscent {
       start_.row(i) = points.row(i < n_free_ ? patch.free_nodes[i] : held_[i - n_free_]);
     unit_.assign(start_.rows(), std::numeric_limits<double>::infinity());
     for (const long e : patch.elements) add_element(x, index.element(e));
+    set_lengths(least);
     for (const SlidingNode& s : sliding) {
       const long i = position_in(patch.free_nodes, s.node);
       if (i < n_free_ && patch.free_nodes[i] == s.node)
@@ -124,6 +133,10 @@ class PatchAscent {
              false,
              factor});
       }
+    for (int i = 0; i < n; ++i) {
+      for (const int ring : {0, n}) add_rod(node[ring + i], node[ring + (i + 1) % n], false);
+      add_rod(node[i], node[n + i], true);
+    }
     if (n != 4) return;
     Triple centre{{}, true, 1.0};
     std::copy_n(node.begin(), 8, centre.node.begin());
@@ -142,6 +155,28 @@ class PatchAscent {
     }
   }
 
+  void add_rod(int a, int b, bool is_column) {
+    if (std::min(a, b) < n_free_) rods_.push_back({std::min(a, b), std::max(a, b), is_column});
+  }
+
+  /// Edges may become half as long as those of their kind are in the mean, times the least value;
+  /// those that are shorter already may not become shorter.
+  void set_lengths(double least) {
+    const auto key = [](const Rod& r) { return std::pair{r.a, r.b}; };
+    std::ranges::sort(rods_, {}, key);
+    rods_.erase(std::ranges::unique(rods_, {}, key).begin(), rods_.end());
+    std::array<double, 2> sum{}, count{};
+    for (Rod& r : rods_) {
+      r.length = (start_.row(r.a) - start_.row(r.b)).norm();
+      sum[r.is_column] += r.length;
+      ++count[r.is_column];
+    }
+    constexpr double half = 0.5, tiny = 1e-3;
+    for (Rod& r : rods_)
+      r.length =
+          std::min(half * sum[r.is_column] / count[r.is_column], r.length / std::max(least, tiny));
+  }
+
   void put(const Eigen::VectorXd& moves) {
     for (int i = 0; i < n_free_; ++i)
       now_.row(i) = start_.row(i) + unit_[i] * moves.segment<3>(3L * i).transpose();
@@ -150,15 +185,23 @@ class PatchAscent {
   double soft_value(const Eigen::VectorXd& moves, double sharpness, Eigen::VectorXd* gradient) {
     constexpr double negligible = 1e-9;  // weight
     put(moves);
-    values_.resize(triples_.size());
-    for (std::size_t t = 0; t < triples_.size(); ++t)
+    const std::size_t n = triples_.size();
+    values_.resize(n + rods_.size());
+    for (std::size_t t = 0; t < n; ++t)
       values_[t] = value_of(triples_[t], axes_of(triples_[t], now_));
+    for (std::size_t r = 0; r < rods_.size(); ++r) values_[n + r] = along(rods_[r]).norm();
     const double value = soft_least(values_, sharpness);
     if (!gradient) return value;
     gradient_.setZero();
-    for (std::size_t t = 0; t < triples_.size(); ++t)
+    for (std::size_t t = 0; t < n; ++t)
       if (values_[t] > negligible)
         add_gradient(triples_[t], axes_of(triples_[t], now_), values_[t], gradient_);
+    for (std::size_t r = 0; r < rods_.size(); ++r)
+      if (values_[n + r] > negligible) {
+        const Point3 g = values_[n + r] / rods_[r].length * along(rods_[r]).normalized();
+        gradient_.row(rods_[r].b) += g.transpose();
+        gradient_.row(rods_[r].a) -= g.transpose();
+      }
     for (const auto& [i, normal] : sliding_)
       gradient_.row(i) -= gradient_.row(i).dot(normal.transpose()) * normal.transpose();
     for (int i = 0; i < n_free_; ++i)
@@ -166,12 +209,16 @@ class PatchAscent {
     return value;
   }
 
+  /// An edge in units of its length.
+  Point3 along(const Rod& r) const { return (now_.row(r.b) - now_.row(r.a)) / r.length; }
+
   const ElementPatch& patch_;
   int n_free_;
   Numbers held_;
   Points start_, now_, gradient_;
   std::vector<double> unit_, values_;
   std::vector<Triple> triples_;
+  std::vector<Rod> rods_;
   std::vector<std::pair<int, Point3>> sliding_;
 };
 
@@ -186,8 +233,8 @@ double least_of(const Extrusion& x, const ElementIndex& index, const Points& poi
 void raise_patch(const Extrusion& x, const ElementIndex& index, const ElementPatch& patch,
                  const RaiseOptions& options, const Context& context, Points& points) {
   if (patch.free_nodes.empty()) return;
-  PatchAscent ascent(x, index, patch, options.sliding, points);
   const double before = least_of(x, index, points, patch.elements);
+  PatchAscent ascent(x, index, patch, options.sliding, points, before);
   const Points after = ascent.ascend(options.ascent, context);
   Points old(after.rows(), 3);
   for (long i = 0; i < after.rows(); ++i) {

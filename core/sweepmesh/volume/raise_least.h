@@ -1,8 +1,9 @@
 // Raises the least scaled Jacobian of an extrusion, directly: no energy stands in for it.
 //
 // In patches around the worst elements, free nodes climb the soft least (soft_least.h) of the
-// values at all corners and centres. That goes on until nothing is gained any more; what is better
-// than the worst may become worse, but no worse than they are.
+// values at all corners and centres, and of the lengths of edges, which keep elements from
+// shrinking to nothing while their angles improve. That goes on until nothing is gained any more;
+// what is better than the worst may become worse, but no worse than they are.
 #pragma once
 
 #include <vector>

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "solids.h"
@@ -99,6 +101,35 @@ TEST(RaiseLeast, ScrambledPrismsBecomeRightAgain) {
     for (long n = 0; n < points.rows(); ++n)
       if (solid.fixed[n]) EXPECT_EQ(Point3(points.row(n)), Point3(solid.exact.row(n)));
   }
+}
+
+double shortest_edge(const Extrusion& x, const Points& points) {
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto add = [&](long a, long b) {
+    shortest = std::min(shortest, (points.row(a) - points.row(b)).norm());
+  };
+  for (int c = 0; c < x.n_cells(); ++c) {
+    const int n = x.cell_size(c);
+    const int* columns = x.cell_columns.data() + x.cell_offset[c];
+    for (int k = x.cell_k_low[c]; k <= x.cell_k_high[c]; ++k)
+      for (int i = 0; i < n; ++i) {
+        const long node = x.node(columns[i], k);
+        add(node, x.node(columns[(i + 1) % n], k));
+        if (k > x.cell_k_low[c]) add(node, node - 1);
+      }
+  }
+  return shortest;
+}
+
+/// Scaled Jacobians alone would let an element shrink to nothing, with right angles all the while.
+TEST(RaiseLeast, EdgesKeepAFairLength) {
+  for (const double amount : {0.2, 0.35, 0.45})
+    for (const Solid& solid : right_prisms()) {
+      Points points = scrambled(solid, amount);
+      const double before = shortest_edge(solid.extrusion, points);
+      raised(solid, 0.95, points);
+      EXPECT_GT(shortest_edge(solid.extrusion, points), std::min(0.25, before)) << amount;
+    }
 }
 
 TEST(RaiseLeast, HasTheSameBitsForAnyNumberOfThreads) {
