@@ -39,8 +39,7 @@ class BoundaryMesher {
         context_(context) {}
 
   BoundaryMesh run() {
-    EdgeNodes nodes = place_imprinted_nodes(model_, imprint_, counts_, options_);
-    space_by_levels(model_, scheme_, counts_.intervals, options_, nodes);
+    const EdgeNodes nodes = place_imprinted_nodes(model_, scheme_, imprint_, counts_, options_);
     edges_ = mesh_edges(model_, counts_.intervals, nodes, out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);
     if (!options_.sweep_bias) space_by_levels(model_, scheme_, options_.size, out_.surface);

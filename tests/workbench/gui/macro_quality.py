@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 from driver import (
-    LEFT, NO_KEY, QTest, check, go, is_panel_open, note, panel_button, picture, press, settle, show_all, tool_button,
+    LEFT, NO_KEY, QTest, check, click_row, go, is_panel_open, note, panel_button, picture, place_of, press, settle, show_all, tool_button,
     wait_for, widget,
 )
 from PySide import QtCore
@@ -84,11 +84,9 @@ def section():
 
 def worst(mesh):
     rows = widget("worst")
-    at = rows.visualItemRect(rows.item(0)).center()
-    QTest.mouseClick(rows.viewport(), LEFT, NO_KEY, at)
-    settle()
+    click_row("worst", 0)
     check("a click on a row shows one element", drawn(mesh) == 6)
-    QTest.mouseDClick(rows.viewport(), LEFT, NO_KEY, at)
+    QTest.mouseDClick(rows.viewport(), LEFT, NO_KEY, place_of(rows, 0))
     settle()
     picture("04_worst")
 
