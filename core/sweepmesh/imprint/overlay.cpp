@@ -137,20 +137,28 @@ class Overlayer {
     return at_arc(line, length(line) * (at_start ? little : 1.0 - little)).point;
   }
 
-  bool collide(const std::vector<Place>& a, const std::vector<Place>& b,
-               const std::vector<VertexId>& there = {}) const {
+  bool collide(const std::vector<Place>& a, const std::vector<Place>& b) const {
     for (const Place& p : a)
       for (const Place& q : b)
-        if (occupancy_.collide(p, q, there)) return true;
+        if (occupancy_.collide(p, q)) return true;
     return false;
   }
 
   bool collide_at_node(int node, const std::vector<Place>& there) const {
-    if (const auto found = columns_in_.find(node); found != columns_in_.end())
-      for (const int c : found->second)
-        for (const Place& p : there)
-          if (occupancy_.collide(columns_[c].column, p)) return true;
-    return collide(places_through(node), there, graph_.nodes[node].cad);
+    const auto found = columns_in_.find(node);
+    const std::vector<int> columns = found == columns_in_.end() ? std::vector<int>{} : found->second;
+    for (const int c : columns)
+      for (const Place& p : there)
+        if (occupancy_.collide(columns_[c].column, p)) return true;
+    const auto collide_there = [&](const Place& p, const Place& q) {
+      return occupancy_.collide(p, q) && std::ranges::all_of(columns, [&](int c) {
+               return occupancy_.collide(p, q, columns_[c].vertices);
+             });
+    };
+    for (const Place& p : places_through(node))
+      for (const Place& q : there)
+        if (collide_there(p, q)) return true;
+    return false;
   }
 
   // --- pieces ------------------------------------------------------------------------------------

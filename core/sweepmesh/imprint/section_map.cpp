@@ -106,7 +106,8 @@ std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, dou
   std::vector<OutlinePart> loops;
   std::vector<char> used(parts.size(), false);
   for (std::size_t first = 0; first < parts.size(); ++first) {
-    if (used[first]) continue;
+    // A part that is all within the tolerance is no loop: its neighbours join over it.
+    if (used[first] || length(parts[first].from) <= tolerance) continue;
     used[first] = true;
     OutlinePart loop = parts[first];
     while ((loop.from.back() - loop.from.front()).norm() > tolerance) {
