@@ -141,8 +141,23 @@ Point2 in_sizes(const Point2& p, double size) {
   return (p * (grid / size)).array().round() / grid;
 }
 
+PlanarMesh chosen_mesh(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                       const Patch& patch, const PlanarLoops& loops, CellKind kind,
+                       const Context& context) {
+  const auto angles = patch_angles(model, imprint, counts, patch, loops);
+  PlanarMeshOptions options;
+  options.kind = kind;
+  std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
+  if (options.kind == CellKind::quad) {
+    add_ringed(loops, angles, context, candidates);
+    add_divided(loops, options, angles, context, candidates);
+  }
+  return best_candidate(std::move(candidates), angles, context);
+}
+
 void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-               int patch, double size, CellKind kind, const Context& context, BaseMesh& base) {
+               int patch, double size, CellKind kind, const GivenPatches& given,
+               const Context& context, BaseMesh& base) {
   std::vector<int> node;
   PlanarLoops loops;
   for (const auto& loop : imprint.patches[patch].loops) {
@@ -153,15 +168,12 @@ void add_patch(const Model& model, const Imprint& imprint, const std::vector<int
     }
   }
   draw_touching_apart(node, loops);
-  const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
-  PlanarMeshOptions options;
-  options.kind = kind;
-  std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
-  if (options.kind == CellKind::quad) {
-    add_ringed(loops, angles, context, candidates);
-    add_divided(loops, options, angles, context, candidates);
-  }
-  const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
+  const auto own = given.find(patch);
+  const PlanarMesh mesh =
+      own == given.end()
+          ? chosen_mesh(model, imprint, counts, imprint.patches[patch], loops, kind, context)
+          : laid_flat(own->second.cells, own->second.points, flattened(loops), {}, context);
+  base.first_inner.push_back(base.n_nodes());
   for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
     base.points.push_back(size * mesh.points[i]);
@@ -251,10 +263,22 @@ void throw_if_inverted(const Imprint& imprint, const BaseMesh& base) {
 
 }  // namespace
 
-BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                   double size, CellKind kind, Context& context) {
+BaseMesh mesh_base_edges(const Imprint& imprint, const std::vector<int>& counts) {
   BaseMesh base;
   add_edge_nodes(imprint, counts, base);
+  return base;
+}
+
+std::vector<int> loop_nodes(const BaseMesh& base, const Patch& patch) {
+  std::vector<int> out;
+  for (const auto& loop : patch.loops)
+    for (const int n : nodes_of(base, loop)) out.push_back(n);
+  return out;
+}
+
+BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                   double size, CellKind kind, Context& context, const GivenPatches& given) {
+  BaseMesh base = mesh_base_edges(imprint, counts);
   for (std::size_t p = 0; p < imprint.patches.size(); ++p) {
     context.check("surface");
     const Patch& patch = imprint.patches[p];
@@ -263,7 +287,7 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
              name_of(patch.runs[0].source) + ": " + e.what();
     };
     try {
-      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, context, base);
+      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, given, context, base);
     } catch (const InputError& e) {
       throw InputError(e.stage(), sentence(e), caps_of(patch));
     } catch (const SolverError& e) {

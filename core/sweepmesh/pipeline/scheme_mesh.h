@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sweepmesh/intervals/intervals.h"
+#include "sweepmesh/pipeline/boundary.h"
 #include "sweepmesh/pipeline/stage_clock.h"
 #include "sweepmesh/pipeline/sweep_options.h"
 #include "sweepmesh/volume/volume_mesh.h"
@@ -21,6 +22,15 @@ struct SchemeMesh {
 /// the boundary and places the interior, with elements of `size`. Throws the stages' errors.
 SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                        double size, StageClock& clock, Context& context);
+
+// Its steps, for solids that are meshed together.
+/// The same mesh; throws InvalidMeshError where cells of caps lie over each other.
+BoundaryMesh without_overlaps(BoundaryMesh boundary);
+/// The volume within a boundary.
+SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Intervals intervals,
+                         const SweepOptions& options, StageClock& clock, Context& context);
+/// The cells of caps.
+CellKind cells_of(ElementKind element);
 
 bool is_one_to_one(const Scheme& scheme);
 
