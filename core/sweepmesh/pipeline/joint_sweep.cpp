@@ -77,8 +77,11 @@ class JointMesher {
     std::vector<SchemeMesh> out;
     for (std::size_t p = 0; p < parts_.size(); ++p)
       in_part(p, [&] {
+        std::set<FaceId> common;
+        for (const auto& [face, mesh] : parts_[p].given.faces) common.insert(face);
         out.push_back(fill_boundary(parts_[p].model(), parts_[p].boundary,
-                                    parts_[p].counts.intervals, options_, clock_, context_));
+                                    parts_[p].counts.intervals, common, options_, clock_,
+                                    context_));
       });
     return out;
   }

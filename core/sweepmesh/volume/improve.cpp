@@ -26,10 +26,7 @@ class Improver {
         points_(points),
         team_(team),
         context_(context),
-        index_(x),
-        held_(fixed) {
-    for (const SlidingNode& s : options.sliding) held_[s.node] = 0;
-  }
+        index_(x) {}
 
   double run(double least) {
     constexpr int most_lifts = 4, even = 1, worst_first = 4;
@@ -39,21 +36,23 @@ class Improver {
       least = follow_energy(least + options_.lift_within, worst_first);
       if (least < before + worth_it()) break;
     }
-    return raise(least);
+    // First within the boundary's mesh as it is: from there sliding nodes find more often on.
+    least = raise(least, {});
+    return options_.sliding.empty() ? least : raise(least, options_.sliding);
   }
 
  private:
   /// A gain, or room below what the boundary allows, that is worth the work.
   double worth_it() const { return 0.25 * options_.lift_within; }
 
-  Candidates find(double threshold, double room) const {
+  Candidates find(double threshold, double room, const std::vector<char>& held) const {
     const ElementCheck check = check_elements(x_, points_, threshold, team_);
     Candidates out{check.min_scaled_jacobian, 1.0, {}};
     std::vector<std::pair<double, long>> found;
     for (const long e : check.bad) {
       const SweptElement element = index_.element(e);
       const double value = scaled_jacobian_of(x_, points_, element),
-                   bound = bound_by_boundary(x_, held_, points_, element);
+                   bound = bound_by_boundary(x_, held, points_, element);
       out.least_bound = std::min(out.least_bound, bound);
       if (value + room < bound) found.emplace_back(value, e);
     }
@@ -69,25 +68,25 @@ class Improver {
   }
 
   double follow_energy(double threshold, int power) {
-    const Candidates poor = find(threshold, worth_it());
+    const Candidates poor = find(threshold, worth_it(), fixed_);
     if (poor.elements.empty()) return poor.least;
     UntangleOptions how;
     how.threshold = threshold;
     how.max_attempts = 1;
     how.energy.power = power;
     how.keeps_lengths = power > 1;
-    how.sliding = options_.sliding;
     untangle(x_, metric_, fixed_, points_, how, poor.elements, team_, context_);
     return check_elements(x_, points_, threshold, team_).min_scaled_jacobian;
   }
 
-  double raise(double least) {
+  double raise(double least, const std::vector<SlidingNode>& sliding) {
     constexpr int most_rounds = 8, most_rings = 4;
     const double window = 3.0 * options_.lift_within, least_gain = 0.1 * worth_it();
     RaiseOptions how;
-    how.sliding = options_.sliding;
+    how.sliding = sliding;
+    const std::vector<char> held = without_sliding(fixed_, sliding);
     for (int round = 0; round < most_rounds && how.rings <= most_rings; ++round) {
-      Candidates worst = find(std::min(least + window, options_.lift_below), least_gain);
+      Candidates worst = find(std::min(least + window, options_.lift_below), least_gain, held);
       // What is better than the boundary lets the worst be needs no help.
       std::erase_if(worst.elements, [&](long e) {
         return scaled_jacobian_of(x_, points_, index_.element(e)) >= worst.least_bound;
@@ -109,7 +108,6 @@ class Improver {
   ThreadTeam& team_;
   const Context& context_;
   const ElementIndex index_;
-  std::vector<char> held_;
 };
 
 }  // namespace

@@ -79,10 +79,9 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
 void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
                        const PlacementOptions& options, const std::vector<long>& inverted,
                        Points& points, ThreadTeam& team, const Context& context) {
-  if (options.sliding.empty()) {
-    const std::vector<long> hopeless = hopeless_elements(x, fixed, points, inverted);
-    if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
-  }
+  const std::vector<long> hopeless =
+      hopeless_elements(x, without_sliding(fixed, options.sliding), points, inverted);
+  if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
   UntangleOptions how;
   how.max_attempts = options.max_attempts;
   how.sliding = options.sliding;
@@ -121,7 +120,7 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
                                         points, team, context);
   if (report.mean_scaled_jacobian < options.raise_mean_below &&
       x.n_elements() <= options.raise_at_most)
-    ascend_nodes(x, fixed, {}, points, team, context);
+    ascend_nodes(x, fixed, {.sliding = options.sliding}, points, team, context);
   else if (least == report.min_scaled_jacobian)
     return;
   set_quality(check_elements(x, points, 0.0, team), report);

@@ -251,8 +251,7 @@ void raise_least(const Extrusion& extrusion, const std::vector<char>& fixed, Poi
                  const RaiseOptions& options, const Numbers& elements, ThreadTeam& team,
                  const Context& context) {
   const ElementIndex index(extrusion);
-  std::vector<char> is_held = fixed;
-  for (const SlidingNode& s : options.sliding) is_held[s.node] = 0;
+  const std::vector<char> is_held = without_sliding(fixed, options.sliding);
   const std::vector<ElementPatch> patches = find_patches(index, is_held, elements, options.rings);
   team.for_chunks(static_cast<long>(patches.size()), 1, [&](long p, long, long) {
     raise_patch(extrusion, index, patches[p], options, context, points);

@@ -159,13 +159,18 @@ std::array<long, 4> corner_nodes(const Extrusion& x, SweptElement e, int i, int 
 
 }  // namespace
 
+std::vector<char> without_sliding(std::vector<char> fixed,
+                                  const std::vector<SlidingNode>& sliding) {
+  for (const SlidingNode& s : sliding) fixed[s.node] = 0;
+  return fixed;
+}
+
 UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
                         const std::vector<char>& fixed, Points& points,
                         const UntangleOptions& options, const Numbers& elements, ThreadTeam& team,
                         const Context& context) {
   const ElementIndex index(extrusion);
-  std::vector<char> is_held = fixed;
-  for (const SlidingNode& s : options.sliding) is_held[s.node] = 0;
+  const std::vector<char> is_held = without_sliding(fixed, options.sliding);
   UntangleReport report;
   report.remaining = elements;
   std::size_t last_size = 0;
