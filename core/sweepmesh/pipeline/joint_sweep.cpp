@@ -220,6 +220,13 @@ class JointMesher {
 
   /// To itself too: what follows must not move it.
   void give(const SideOfContact& side, const SurfaceMesh& mesh) {
+    const bool is_grid_for_cap = parts_[side.part].is_linking(side.face) &&
+                                 !parts_[side.other_part].is_linking(side.other_face);
+    if (is_grid_for_cap && kind_ == CellKind::triangle)
+      throw InvalidMeshError("surface",
+                             "The structured grid of " + name_of(side.face) +
+                                 " does not fit triangles, of which the end of the other sweep is.",
+                             {name_of(side.face), name_of(side.other_face)}, {});
     const FaceMesh cells = mesh_of_face(mesh, side.face);
     parts_[side.part].given.faces.emplace(side.face, cells);
     parts_[side.other_part].given.faces.emplace(side.other_face, seen_from_behind(cells));
