@@ -41,6 +41,13 @@ def prism(points, z0, z1):
     return planar(polygon(points, z0)).extrude(vec(0, 0, z1 - z0))
 
 
+def half_ring(radius, thickness):
+    """Half a torus that stands on its two ends at z = 0."""
+    ring = Part.makeTorus(radius, thickness)
+    ring.rotate(vec(0, 0, 0), vec(1, 0, 0), 90)
+    return ring.common(box(-60, 60, -60, 60, 0, 60))
+
+
 # --- what must be true ------------------------------------------------------------------------------------------------
 
 
@@ -158,6 +165,9 @@ MIXED = {
         box(-20, 20, -20, 20, 0, 6).cut(rod(8, vec(0, 0), 6)),
         box(-20, 20, -20, 20, 6, 14).cut(rod(8, vec(0, 0, 6), 8)),
         rod(8, vec(0, 0), 14),
+    ),
+    "handle on a disc": lambda: cut_by(
+        rod(25, vec(0, 0, -10), 10).fuse(half_ring(12, 3)), ((0, 0, 0), (0, 0, 1))
     ),
     "bracket": lambda: fragments(box(0, 40, 0, 20, 0, 8), box(0, 8, 0, 20, 8, 40), box(8, 30, 6, 14, 8, 16)),
 }

@@ -43,9 +43,10 @@ class JointMesher {
  public:
   JointMesher(const std::vector<JointSolid>& solids, const Contacts& all,
               const std::vector<Contact>& contacts, const SweepOptions& options, double size,
-              StageClock& clock, Context& context, JointFailure& failure)
+              double merge_fraction, StageClock& clock, Context& context, JointFailure& failure)
       : all_(all),
         options_(options),
+        merge_fraction_(merge_fraction),
         kind_(cells_of(options.element)),
         clock_(clock),
         context_(context),
@@ -115,7 +116,7 @@ class JointMesher {
                        "A sweep through a wall does not take over meshes of other solids.");
     if (is_one_to_one(part.scheme())) return;
     context_.report(0.05, "Imprinting");
-    const ImprintOptions how{.size = part.options.size};
+    const ImprintOptions how{.size = part.options.size, .merge_fraction = merge_fraction_};
     part.imprint = clock_.run(
         "imprint", [&] { return imprint_caps(part.model(), part.scheme(), how, context_); });
   }
@@ -222,6 +223,13 @@ class JointMesher {
 
   /// To itself too: what follows must not move it.
   void give(const SideOfContact& side, const SurfaceMesh& mesh) {
+    const bool is_grid_for_cap = parts_[side.part].is_linking(side.face) &&
+                                 !parts_[side.other_part].is_linking(side.other_face);
+    if (is_grid_for_cap && kind_ == CellKind::triangle)
+      throw InvalidMeshError("surface",
+                             "The structured grid of " + name_of(side.face) +
+                                 " does not fit triangles, of which the end of the other sweep is.",
+                             {name_of(side.face), name_of(side.other_face)}, {});
     const FaceMesh cells = mesh_of_face(mesh, side.face);
     parts_[side.part].given.faces.emplace(side.face, cells);
     parts_[side.other_part].given.faces.emplace(side.other_face, seen_from_behind(cells));
@@ -229,16 +237,20 @@ class JointMesher {
 
   // --- caps --------------------------------------------------------------------------------------
 
-  /// The lower the earlier.
+  /// The lower the earlier. A divided cap can take no mesh; what has one at one end carries it on
+  /// to the other at once; a sweep with contacts at both ends comes before one that can take a mesh
+  /// for each of its caps.
   int rank(int p) const {
     const Part& part = parts_[p];
-    bool is_divided_here = false, has_given = false;
+    int n_caps = 0, n_given = 0;
     for (const SideOfContact& side : sides_) {
       if (side.part != p || part.is_linking(side.face)) continue;
-      has_given = has_given || part.given.faces.contains(side.face);
-      is_divided_here = is_divided_here || (part.imprint && is_divided(*part.imprint, side.face));
+      if (part.imprint && is_divided(*part.imprint, side.face)) return 0;
+      ++n_caps;
+      n_given += part.given.faces.contains(side.face);
     }
-    return is_divided_here ? 0 : has_given ? 1 : part.imprint ? 2 : 3;
+    if (part.imprint) return 4;
+    return n_given > 0 ? 1 : n_caps > 1 ? 2 : 3;
   }
 
   void mesh_boundaries() {
@@ -268,6 +280,7 @@ class JointMesher {
 
   const Contacts& all_;
   const SweepOptions& options_;
+  const double merge_fraction_;
   const CellKind kind_;
   StageClock& clock_;
   Context& context_;
@@ -280,9 +293,11 @@ class JointMesher {
 
 std::vector<SchemeMesh> mesh_together(const std::vector<JointSolid>& solids, const Contacts& all,
                                       const std::vector<Contact>& contacts,
-                                      const SweepOptions& options, double size, StageClock& clock,
-                                      Context& context, JointFailure& failure) {
-  return JointMesher(solids, all, contacts, options, size, clock, context, failure).run();
+                                      const SweepOptions& options, double size,
+                                      double merge_fraction, StageClock& clock, Context& context,
+                                      JointFailure& failure) {
+  return JointMesher(solids, all, contacts, options, size, merge_fraction, clock, context, failure)
+      .run();
 }
 
 }  // namespace sweepmesh

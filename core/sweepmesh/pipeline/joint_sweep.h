@@ -4,8 +4,10 @@
 //   2. nodes on shared edges, those of a solid with imprinted caps before those of others;
 //   3. structured grids on faces that are linking in one of their solids: the other takes them
 //   over;
-//   4. caps, solid after solid: those first that must make their own mesh, then those that have one
-//   from a neighbour and carry it on to their other end;
+//   4. caps, solid after solid: those first that must make their own mesh as curves are imprinted
+//   on them; then sweeps from one cap to one, along chains of solids, as each carries the mesh that
+//   it has from a neighbour on to its other end; then those with several caps, each of which can
+//   take one;
 //   5. the volumes.
 #pragma once
 
@@ -30,12 +32,14 @@ struct JointFailure {
   std::vector<std::string> entities;
 };
 
-/// Meshes with elements of `size`, by solid, in their order; nodes of common faces, edges and
-/// vertices lie on each other, but are not merged. `contacts` are those to be met, all between
-/// these solids; `all` tells what coincides. Throws what the stages throw; `failure` is set then.
+/// Meshes with elements of `size`, curves of caps brought together within `merge_fraction` of it,
+/// by solid, in their order; nodes of common faces, edges and vertices lie on each other, but are
+/// not merged. `contacts` are those to be met, all between these solids; `all` tells what
+/// coincides. Throws what the stages throw; `failure` is set then.
 std::vector<SchemeMesh> mesh_together(const std::vector<JointSolid>& solids, const Contacts& all,
                                       const std::vector<Contact>& contacts,
-                                      const SweepOptions& options, double size, StageClock& clock,
-                                      Context& context, JointFailure& failure);
+                                      const SweepOptions& options, double size,
+                                      double merge_fraction, StageClock& clock, Context& context,
+                                      JointFailure& failure);
 
 }  // namespace sweepmesh

@@ -179,18 +179,40 @@ class Sweeper {
     const auto choices =
         scheme_choices(verdicts, contacts_of(group), options_.element == ElementKind::hex);
     std::optional<JointFailure> first;
-    for (const double share : {1.0, 0.85, 1.2, 0.7})
-      for (const SchemeChoice& choice : choices) {
-        if (share != 1.0 && &choice != &choices.front()) break;
-        JointFailure failure;
-        if (try_choice(group, choice, share * size_, failure)) {
-          if (share != 1.0) warn_of_size(group, share * size_, first->sentence);
-          return true;
-        }
-        if (!first) first = failure;
+    const auto is_made = [&](const SchemeChoice& choice, double share, double merging) {
+      JointFailure failure;
+      if (try_choice(group, choice, share * size_, merging, failure)) return true;
+      if (!first) first = failure;
+      return false;
+    };
+    const std::vector<double> merging = merge_fractions(options_, size_);
+    for (const SchemeChoice& choice : choices)
+      if (!first || may_help(choice, choices.front(), *first))
+        if (is_made(choice, 1.0, merging.front())) return true;
+    for (std::size_t m = 1; m < merging.size() && has_imprint(group, choices.front()); ++m)
+      if (is_made(choices.front(), 1.0, merging[m])) return true;
+    for (const double share : {0.85, 1.2, 0.7})
+      if (is_made(choices.front(), share, merging.front())) {
+        warn_of_size(group, share * size_, first->sentence);
+        return true;
       }
     give_up_for(*first, group);
     return false;
+  }
+
+  /// Whether another choice changes the solid that failed, or one that it touches.
+  bool may_help(const SchemeChoice& choice, const SchemeChoice& failed,
+                const JointFailure& failure) const {
+    if (failure.solid < 0) return true;
+    const auto is_changed = [&](int s) { return choice[s] != failed[s]; };
+    return is_changed(failure.solid) || std::ranges::any_of(open_, [&](const Contact& c) {
+             return is_at(c, failure.solid) && (is_changed(c.solid) || is_changed(c.other));
+           });
+  }
+
+  bool has_imprint(const std::vector<int>& group, const SchemeChoice& choice) const {
+    return std::ranges::any_of(
+        group, [&](int s) { return !is_one_to_one(out_.parts[s].assessment.schemes[choice[s]]); });
   }
 
   void warn_of_size(const std::vector<int>& group, double size, const std::string& why) {
@@ -200,14 +222,15 @@ class Sweeper {
   }
 
   bool try_choice(const std::vector<int>& group, const SchemeChoice& choice, double size,
-                  JointFailure& failure) {
+                  double merging, JointFailure& failure) {
     std::vector<JointSolid> joint;
     for (const int s : group)
       joint.push_back({s, &solids_[s], &out_.parts[s].assessment.schemes[choice[s]]});
     const auto contacts = contacts_of(group);
     StageClock clock(out_.parts[group.front()].seconds);
     try {
-      auto made = mesh_together(joint, all_, contacts, options_, size, clock, context_, failure);
+      auto made =
+          mesh_together(joint, all_, contacts, options_, size, merging, clock, context_, failure);
       if (!is_conforming(group, made, contacts, failure)) return false;
       take(group, choice, std::move(made), size);
       return true;
