@@ -166,7 +166,7 @@ def _narrowest(corners):
 
 
 def _canvas():
-    for widget in main_window().findChildren(QtGui.QWidget):
+    for widget in main_window().findChild(QtGui.QMdiArea).findChildren(QtGui.QWidget):
         if "QuarterWidget" in widget.metaObject().className() and widget.isVisible():
             return widget
     raise LookupError("There is no 3D view.")
