@@ -146,7 +146,8 @@ class Overlayer {
 
   bool collide_at_node(int node, const std::vector<Place>& there) const {
     const auto found = columns_in_.find(node);
-    const std::vector<int> columns = found == columns_in_.end() ? std::vector<int>{} : found->second;
+    const std::vector<int> columns =
+        found == columns_in_.end() ? std::vector<int>{} : found->second;
     for (const int c : columns)
       for (const Place& p : there)
         if (occupancy_.collide(columns_[c].column, p)) return true;

@@ -247,19 +247,33 @@ class SlabWalker {
       }
   }
 
+  /// n steps through the slab, and as many from what is seen at its other end to R.
   std::vector<Point2> carried_in_steps(int low, int high, int level, int n,
                                        std::vector<Point2> points) const {
     const double other_end = height_.at(level == high ? low : high);
     const double from = height_.at(level), to = low == base_ ? base_height() : other_end;
-    for (int i = 0; i <= n; ++i) {
-      const double here = from + (to - from) * i / n, there = from + (to - from) * (i + 1) / n;
-      const auto parts = outline(low, high, [&](std::size_t p) {
-        return OutlinePart{seen_at_height(panels_[p], here),
-                           i < n ? seen_at_height(panels_[p], there) : in_r_[p]};
-      });
-      if (largest_move(parts) > seen_.coincidence)
-        points =
-            carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_, context_);
+    const auto at_step = [&](std::size_t p, int i) {
+      if (i <= n) return seen_at_height(panels_[p], from + (to - from) * i / n);
+      Polyline line = seen_at_height(panels_[p], to);
+      const double share = static_cast<double>(i - n) / n;
+      for (std::size_t k = 0; k < line.size(); ++k) line[k] += share * (in_r_[p][k] - line[k]);
+      return line;
+    };
+    const auto loops_at = [&](int i) {  // ends that meet at first belong together all the way
+      return joined_loops(
+          outline(low, high,
+                  [&](std::size_t p) {
+                    return OutlinePart{at_step(p, 0), i < 2 * n ? at_step(p, i) : in_r_[p]};
+                  }),
+          2 * seen_.coincidence);
+    };
+    std::vector<OutlinePart> here = loops_at(0);
+    for (int i = 1; i <= 2 * n; ++i) {
+      std::vector<OutlinePart> next = loops_at(i), step;
+      for (std::size_t l = 0; l < next.size(); ++l) step.push_back({here[l].to, next[l].to});
+      if (step.empty() || largest_move(step) > seen_.coincidence)
+        points = carried_inside(step, points, size_, context_);
+      here = std::move(next);
     }
     return points;
   }
