@@ -23,7 +23,9 @@ struct Chord {
   double value = 0.0;
 };
 
-double value_of(const PlanarMesh& mesh) { return quality(mesh.points, mesh).min; }
+double value_of(const PlanarMesh& mesh) {
+  return quality(mesh.points, mesh).min;
+}
 
 /// How well cells fill a corner: the sine of their angle there, when they are as many as fit best.
 double corner_value(double angle) {
@@ -52,9 +54,7 @@ class Divider {
     }
   }
 
-  std::optional<PlanarMesh> run(const PlanarMesh& mesh) {
-    return cut(whole_, mesh);
-  }
+  std::optional<PlanarMesh> run(const PlanarMesh& mesh) { return cut(whole_, mesh); }
 
  private:
   // --- chords ------------------------------------------------------------------------------------
@@ -106,8 +106,8 @@ class Divider {
     if (is_odd && n == 1 && (b - a == 1 || loop.size() - (b - a) == 1)) return std::nullopt;
     const double length = share / n;
     const double stretch = std::min(1.0, 2.0 * std::min(length, 1.0 / length));
-    return Chord{l, a, b, n, corners * clearance(rings, at(loop, a), at(loop, b)) *
-                                 (n == 1 ? 1.0 : stretch)};
+    return Chord{l, a, b, n,
+                 corners * clearance(rings, at(loop, a), at(loop, b)) * (n == 1 ? 1.0 : stretch)};
   }
 
   /// The worse of the two corners that a chord along `d` leaves at a node; negative outside.

@@ -1,9 +1,10 @@
 // Quads in a plane domain with narrow passages, by cutting it along chords.
 //
-//      +--------+--------+        Where few nodes lie around re-entrant corners, a mesher that knows
-//      |      chord      |        nothing of the whole leaves cells that have all their corners on
-//      |   +----o  . . . +        the boundary and are folded. A chord from such a corner across the
-//      |   |    |        |        passage gives it the cells that it needs, whatever lies beyond.
+//      +--------+--------+        Where few nodes lie around re-entrant corners, a mesher that
+//      knows |      chord      |        nothing of the whole leaves cells that have all their
+//      corners on |   +----o  . . . +        the boundary and are folded. A chord from such a
+//      corner across the |   |    |        |        passage gives it the cells that it needs,
+//      whatever lies beyond.
 //      +---+    +--------+
 #pragma once
 

@@ -190,7 +190,9 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   PlanarMesh& mesh = section.mesh;
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());
   add_grid(loops, spacing, mesh.points);
-  for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
+  const auto triangles = constrained_delaunay(mesh.points, section.loops);
+  for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
+    mesh.add_cell(t);
   const std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
 }
