@@ -32,8 +32,8 @@ class Returner {
 
 }  // namespace
 
-MovableNodes movable_nodes(const Model& model, const SurfaceMesh& surface,
-                           const Assembly& assembly) {
+MovableNodes movable_nodes(const Model& model, const SurfaceMesh& surface, const Assembly& assembly,
+                           const std::set<FaceId>& held) {
   std::vector<std::optional<Point3>> normal_of(model.n_faces());
   for (const FaceId f : model.faces())
     if (model.is_planar(f)) normal_of[f.index] = model.normal(f, model.uv_bounds(f).first);
@@ -41,7 +41,7 @@ MovableNodes movable_nodes(const Model& model, const SurfaceMesh& surface,
   std::vector<std::pair<long, FaceId>> face_of;
   for (int i = 0; i < surface.n_nodes(); ++i) {
     const Owner& owner = surface.owner[i];
-    if (owner.kind != EntityKind::face) continue;
+    if (owner.kind != EntityKind::face || held.contains(FaceId{owner.index})) continue;
     if (normal_of[owner.index])
       out.sliding.push_back({assembly.volume_node[i], *normal_of[owner.index]});
     else

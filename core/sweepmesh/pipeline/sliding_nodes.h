@@ -1,6 +1,7 @@
 // The boundary nodes that may be moved on their face, so that elements get better.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "sweepmesh/model/model.h"
@@ -10,13 +11,14 @@
 
 namespace sweepmesh {
 
-/// Those inside faces: on planar ones, and on curved ones. Nodes on edges and at vertices stay, so
-/// that a valid mesh of the face stays within it. The result keeps a reference to the model.
+/// Those inside faces that are not `held`: on planar ones, and on curved ones. Nodes on edges and
+/// at vertices stay, so that a valid mesh of the face stays within it. The result keeps a reference
+/// to the model.
 struct MovableNodes {
   std::vector<SlidingNode> sliding;
   CurvedNodes curved;
 };
-MovableNodes movable_nodes(const Model& model, const SurfaceMesh& surface,
-                           const Assembly& assembly);
+MovableNodes movable_nodes(const Model& model, const SurfaceMesh& surface, const Assembly& assembly,
+                           const std::set<FaceId>& held = {});
 
 }  // namespace sweepmesh

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "solids.h"
@@ -37,11 +39,14 @@ std::vector<Solid> right_prisms() {
 /// Raises what is below `threshold`, round after round; the least value then.
 double raised(const Solid& solid, double threshold, Points& points, int n_threads = 0) {
   constexpr int rounds = 10;
+  const Points start = points;
+  RaiseOptions options;
+  options.lengths_of = &start;
   ThreadTeam team(n_threads);
   double least = check_elements(solid.extrusion, points, 0.0, team).min_scaled_jacobian;
   for (int round = 0; round < rounds; ++round) {
     const ElementCheck check = check_elements(solid.extrusion, points, threshold, team);
-    raise_least(solid.extrusion, solid.fixed, points, {}, check.bad, team, Context());
+    raise_least(solid.extrusion, solid.fixed, points, options, check.bad, team, Context());
     const double now = check_elements(solid.extrusion, points, 0.0, team).min_scaled_jacobian;
     EXPECT_GE(now, least);
     least = now;
@@ -99,6 +104,39 @@ TEST(RaiseLeast, ScrambledPrismsBecomeRightAgain) {
     for (long n = 0; n < points.rows(); ++n)
       if (solid.fixed[n]) EXPECT_EQ(Point3(points.row(n)), Point3(solid.exact.row(n)));
   }
+}
+
+double shortest_edge(const Extrusion& x, const Points& points) {
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto add = [&](long a, long b) {
+    shortest = std::min(shortest, (points.row(a) - points.row(b)).norm());
+  };
+  for (int c = 0; c < x.n_cells(); ++c) {
+    const int n = x.cell_size(c);
+    const int* columns = x.cell_columns.data() + x.cell_offset[c];
+    for (int k = x.cell_k_low[c]; k <= x.cell_k_high[c]; ++k)
+      for (int i = 0; i < n; ++i) {
+        const long node = x.node(columns[i], k);
+        add(node, x.node(columns[(i + 1) % n], k));
+        if (k > x.cell_k_low[c]) add(node, node - 1);
+      }
+  }
+  return shortest;
+}
+
+/// Scaled Jacobians alone would let an element shrink to nothing, with good angles all the while.
+TEST(RaiseLeast, EdgesKeepAFairLength) {
+  for (const double amount : {0.3, 0.5})
+    for (const Base& mesh : {make_square_with_hole(10, 2), make_hexagons(5), make_grid(8, 8)}) {
+      const Solid solid = make_solid(mesh, 5, [&](double x, double y, double w) {
+        return Point3(x + 4 * w * w, y + std::sin(x) * w, 5 * w);
+      });
+      Points points = scrambled(solid, amount);
+      raised(solid, 0.95, points);
+      EXPECT_GT(shortest_edge(solid.extrusion, points),
+                0.15 * shortest_edge(solid.extrusion, solid.exact))
+          << amount;
+    }
 }
 
 TEST(RaiseLeast, HasTheSameBitsForAnyNumberOfThreads) {
