@@ -84,6 +84,11 @@ void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const
   if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
   UntangleOptions how;
   how.max_attempts = options.max_attempts;
+  // Boundaries that leave room for valid elements invert a few percent of them at first.
+  constexpr double many = 0.25;
+  constexpr int few_rounds = 6;
+  if (static_cast<double>(inverted.size()) > many * static_cast<double>(x.n_elements()))
+    how.energy.max_rounds = few_rounds;
   how.sliding = options.sliding;
   const std::vector<long> left =
       untangle(x, metric, fixed, points, how, inverted, team, context).remaining;

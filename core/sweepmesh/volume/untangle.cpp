@@ -198,6 +198,11 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
           remaining.push_back(e);
     }
     report.remaining = remaining;
+    // Where so much is left, more room has never helped, and it costs most.
+    constexpr double hopeless = 0.1;
+    if (static_cast<double>(remaining.size()) >
+        hopeless * static_cast<double>(extrusion.n_elements()))
+      break;
   }
   sort_unique(report.remaining);
   return report;
