@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "sweepmesh/imprint/domain_division.h"
 #include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
 #include "sweepmesh/surface/quad_cleanup.h"
@@ -86,13 +87,29 @@ void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Co
   }
 }
 
-PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
-                          const Context& context) {
+std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
+                                          const BoundaryAngles& angles) {
   const auto rank = [&](const PlanarMesh& m) {
     return std::pair(-n_flat_corners(m, angles), overall_quality(m));
   };
-  auto best = std::max_element(candidates.begin(), candidates.end(),
-                               [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return std::max_element(candidates.begin(), candidates.end(),
+                          [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+/// Where the best candidate has cells without any room: the same with the domain cut in parts.
+void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
+                 const BoundaryAngles& angles, const Context& context,
+                 std::vector<PlanarMesh>& candidates) {
+  constexpr double narrow = 0.05;
+  const PlanarMesh& best = *best_of(candidates, angles);
+  if (quality(best.points, best).min >= narrow) return;
+  if (auto divided = mesh_divided(loops, best, options, context))
+    candidates.push_back(std::move(*divided));
+}
+
+PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
+                          const Context& context) {
+  const auto best = best_of(candidates, angles);
   constexpr double worth_raising = 0.7;
   constexpr int n_rounds = 6;
   if (quality(best->points, *best).n_inverted == 0)
@@ -124,8 +141,23 @@ Point2 in_sizes(const Point2& p, double size) {
   return (p * (grid / size)).array().round() / grid;
 }
 
+PlanarMesh chosen_mesh(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                       const Patch& patch, const PlanarLoops& loops, CellKind kind,
+                       const Context& context) {
+  const auto angles = patch_angles(model, imprint, counts, patch, loops);
+  PlanarMeshOptions options;
+  options.kind = kind;
+  std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
+  if (options.kind == CellKind::quad) {
+    add_ringed(loops, angles, context, candidates);
+    add_divided(loops, options, angles, context, candidates);
+  }
+  return best_candidate(std::move(candidates), angles, context);
+}
+
 void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-               int patch, double size, CellKind kind, const Context& context, BaseMesh& base) {
+               int patch, double size, CellKind kind, const GivenPatches& given,
+               const Context& context, BaseMesh& base) {
   std::vector<int> node;
   PlanarLoops loops;
   for (const auto& loop : imprint.patches[patch].loops) {
@@ -136,12 +168,12 @@ void add_patch(const Model& model, const Imprint& imprint, const std::vector<int
     }
   }
   draw_touching_apart(node, loops);
-  const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
-  PlanarMeshOptions options;
-  options.kind = kind;
-  std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
-  if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
-  const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
+  const auto own = given.find(patch);
+  const PlanarMesh mesh =
+      own == given.end()
+          ? chosen_mesh(model, imprint, counts, imprint.patches[patch], loops, kind, context)
+          : laid_flat(own->second.cells, own->second.points, flattened(loops), {}, context);
+  base.first_inner.push_back(base.n_nodes());
   for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
     base.points.push_back(size * mesh.points[i]);
@@ -231,10 +263,22 @@ void throw_if_inverted(const Imprint& imprint, const BaseMesh& base) {
 
 }  // namespace
 
-BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                   double size, CellKind kind, Context& context) {
+BaseMesh mesh_base_edges(const Imprint& imprint, const std::vector<int>& counts) {
   BaseMesh base;
   add_edge_nodes(imprint, counts, base);
+  return base;
+}
+
+std::vector<int> loop_nodes(const BaseMesh& base, const Patch& patch) {
+  std::vector<int> out;
+  for (const auto& loop : patch.loops)
+    for (const int n : nodes_of(base, loop)) out.push_back(n);
+  return out;
+}
+
+BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                   double size, CellKind kind, Context& context, const GivenPatches& given) {
+  BaseMesh base = mesh_base_edges(imprint, counts);
   for (std::size_t p = 0; p < imprint.patches.size(); ++p) {
     context.check("surface");
     const Patch& patch = imprint.patches[p];
@@ -243,7 +287,7 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
              name_of(patch.runs[0].source) + ": " + e.what();
     };
     try {
-      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, context, base);
+      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, given, context, base);
     } catch (const InputError& e) {
       throw InputError(e.stage(), sentence(e), caps_of(patch));
     } catch (const SolverError& e) {

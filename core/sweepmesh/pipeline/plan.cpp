@@ -9,6 +9,7 @@
 #include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/layout.h"
 
 namespace sweepmesh {
 namespace {
@@ -135,17 +136,32 @@ void fill(const Model& model, const SweepOptions& options, Context& context, Swe
   std::rethrow_exception(first_error);
 }
 
-/// The same plan where the solid cannot be divided.
-SweepPlan plan_of_divided(const Model& model, const Picks& picks, const SweepOptions& options,
-                          Context& context, const SweepPlan& whole) {
-  if (!may_be_divided(whole.assessment)) return whole;
-  const auto divided = divide_to_sweep(model, picks, options, context);
-  if (!divided) return whole;
+/// Empty where the solid cannot be divided, or swept so.
+std::optional<SweepPlan> plan_of_divided(const Model& model, const Picks& picks,
+                                         const SweepOptions& options, Strain strain, double size,
+                                         Context& context) {
+  const auto divided = divide_to_sweep(model, picks, options, strain, context);
+  if (!divided) return {};
   SweepPlan plan;
-  plan.size = whole.size;
+  plan.size = size;
   plan.assessment = divided->assessment;
   fill(divided->parts.model, divided->options, context, plan);
   return of_whole(model, divided->parts, plan);
+}
+
+/// As assess_or_divide goes.
+SweepPlan plan_of_unsweepable(const Model& model, const Picks& picks, const SweepOptions& options,
+                              Context& context, SweepPlan plan) {
+  if (!may_be_divided(plan.assessment)) return plan;
+  if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+    return *divided;
+  accept_strained(model, options, context, plan.assessment);
+  if (plan.assessment.is_sweepable()) {
+    fill(model, options, context, plan);
+    return plan;
+  }
+  auto divided = plan_of_divided(model, picks, options, Strain::accepted, plan.size, context);
+  return divided ? *divided : plan;
 }
 
 }  // namespace
@@ -158,16 +174,17 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   plan.size = options.size.value_or(default_size(model));
   refuse_explosion(model, options, plan.size);
   plan.assessment = assess(model, picks, context);
-  if (!plan.assessment.is_sweepable()) return plan_of_divided(model, picks, options, context, plan);
+  if (!plan.assessment.is_sweepable())
+    return plan_of_unsweepable(model, picks, options, context, std::move(plan));
   try {
     fill(model, options, context, plan);
     return plan;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
-    const SweepPlan divided = plan_of_divided(model, picks, options, context, plan);
-    if (divided.directions.empty()) throw;
-    return divided;
+    if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+      return *divided;
+    throw;
   }
 }
 
