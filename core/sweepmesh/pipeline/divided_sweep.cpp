@@ -172,6 +172,7 @@ std::optional<DividedSweep> divided_by(const Model& model, const std::vector<Cut
   const Picks own = picks_of_parts(parts, picks);
   SweepOptions wishes = options_of_parts(model, parts, options);
   Assessment assessment = assess(parts.model, own, context);
+  if (is_free(picks)) keep_laid_out(parts.model, wishes, context, assessment);
   if (strain == Strain::accepted) accept_strained(parts.model, wishes, context, assessment);
   if (!assessment.is_sweepable()) return {};
   return DividedSweep{std::move(parts), own, std::move(wishes), std::move(assessment)};
@@ -202,6 +203,7 @@ std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& pic
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
   Assessment whole = assess(model, picks, context);
+  if (is_free(picks)) keep_laid_out(model, {}, context, whole);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;
   const auto divided = [&](Strain strain) -> std::optional<Assessment> {
     const auto found = divide_to_sweep(model, picks, {}, strain, context);

@@ -202,7 +202,9 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
   } catch (const Error&) {
     result.warnings.clear();
     if (divided(Strain::refused)) return true;
-    throw;
+    if (is_free(picks)) keep_laid_out(model, options, context, result.assessment);
+    if (result.assessment.is_sweepable()) throw;
+    return false;
   }
 }
 
