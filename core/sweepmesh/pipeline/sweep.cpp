@@ -202,9 +202,7 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
   } catch (const Error&) {
     result.warnings.clear();
     if (divided(Strain::refused)) return true;
-    if (is_free(picks)) keep_laid_out(model, options, context, result.assessment);
-    if (result.assessment.is_sweepable()) throw;
-    return false;
+    throw;
   }
 }
 
