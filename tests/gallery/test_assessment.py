@@ -1,13 +1,17 @@
 """The verdict on every solid of the gallery, with the picks of each of its schemes and without any."""
 
+import math
 import time
 
 import FreeCAD
 import Part
 import pytest
 import sweepmesh
+from checker import expect_valid_sweep
 from gallery import cases
+from solids.kit import polygon, rod, vec
 from sweepmesh import Options
+from sweepmesh.engine.model import as_model
 
 KINDS = ("1-1", "M-1", "M-N", "radial", "submap", "unsweepable")
 
@@ -66,6 +70,28 @@ def test_sources_alone_lead_to_the_same_targets(case):
     found = sweepmesh.assess(model, Options(sources=both.sources))
     assert found.is_sweepable, [reason.text for reason in found.reasons]
     assert all(found.roles[f"Face{face}"] == "source" for face in both.sources)
+
+
+def slanted(degrees):
+    """A block with a bore and a top that slants so much, which makes its edge that sharp."""
+    height = 10 * math.tan(math.radians(degrees))
+    outline = Part.Face(polygon([(0, 0), (10, 0), (10, 4 + height), (0, 4)]))
+    block = outline.extrude(vec(0, 0, 10))
+    block.rotate(vec(0, 0, 0), vec(1, 0, 0), 90)
+    return block.cut(rod(2, vec(5, -5, -1), 100))
+
+
+@pytest.mark.parametrize("degrees", [50, 66, 70, 75])
+def test_poor_angles_are_swept_where_nothing_better_is_found(degrees):
+    """Beyond 65 degrees off its type an edge is taken only in a scheme that can be laid out; the mesh then is valid."""
+    shape = as_model(slanted(degrees).exportBrepToString())
+    found = sweepmesh.assess(shape)
+    assert found.is_sweepable, [reason.text for reason in found.reasons]
+    result = sweepmesh.mesh(shape)
+    assert result.assessment.is_sweepable
+    expect_valid_sweep(result, shape)
+    if degrees < 60:
+        assert not result.warnings
 
 
 def named(shape, name):

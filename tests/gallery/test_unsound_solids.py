@@ -84,6 +84,15 @@ def sliver():
     return box(0, 100, 0, 100, 0, 0.01)
 
 
+def edge_inside_a_face():
+    """A box on whose lid an edge is drawn that bounds nothing: it has no direction there."""
+    faces = box(0, 3, 0, 2, 0, 1).Faces
+    lid = max(faces, key=lambda face: face.CenterOfMass.z)
+    drawn = Part.makeLine(vec(1, 1, 1), vec(2, 1, 1))
+    pieces = lid.generalFuse([drawn])[0].Faces
+    return shell_of([face for face in faces if not face.isSame(lid)] + pieces)
+
+
 def touching_along_an_edge():
     """Two boxes that share one edge."""
     return box(0, 1, 0, 1, 0, 1).fuse(box(1, 2, 1, 2, 0, 1))
@@ -118,7 +127,7 @@ def scaled_unevenly():
 
 SOLIDS = [
     inside_out, one_face_reversed, open_shell, two_faces_only, self_intersecting, overlapping_shells, void_outside,
-    tiny_edges, sliver, touching_along_an_edge, tangent_cylinders, pointed_cone, far_away, mirrored, scaled_unevenly,
+    tiny_edges, sliver, edge_inside_a_face, touching_along_an_edge, tangent_cylinders, pointed_cone, far_away, mirrored, scaled_unevenly,
 ]  # fmt: skip
 
 

@@ -158,6 +158,16 @@ void mark_seams(std::vector<Coedge>& wire) {
                                   }) == 2;
 }
 
+/// Edges that lie inside a face (OpenCASCADE calls them internal) have no direction, and their uses
+/// no first and last vertex.
+void check_bounds(const std::vector<Coedge>& wire) {
+  for (const Coedge& c : wire)
+    if (c.edge.is_valid() && !(c.start.is_valid() && c.end.is_valid()))
+      throw InputError("read",
+                       name_of(c.edge) + " lies in " + name_of(c.face) + " and does not bound it.",
+                       {name_of(c.edge), name_of(c.face)});
+}
+
 std::vector<Loop> make_loops(Impl& impl, FaceId id, const TopoDS_Face& forward, bool swapped) {
   std::vector<std::pair<double, Loop>> loops;
   for (TopoDS_Iterator wire(forward); wire.More(); wire.Next()) {
@@ -166,6 +176,7 @@ std::vector<Loop> make_loops(Impl& impl, FaceId id, const TopoDS_Face& forward, 
     for (TopoDS_Iterator it(wire.Value()); it.More(); it.Next())
       coedges.push_back(make_coedge(impl, id, TopoDS::Edge(it.Value()), forward));
     if (coedges.empty()) continue;
+    check_bounds(coedges);
     mark_seams(coedges);
     Loop loop = chained(impl, std::move(coedges));
     const double area = signed_area(impl, loop);

@@ -172,6 +172,7 @@ std::optional<DividedSweep> divided_by(const Model& model, const std::vector<Cut
   const Picks own = picks_of_parts(parts, picks);
   SweepOptions wishes = options_of_parts(model, parts, options);
   Assessment assessment = assess(parts.model, own, context);
+  if (is_free(picks)) keep_laid_out(parts.model, wishes, context, assessment);
   if (strain == Strain::accepted) accept_strained(parts.model, wishes, context, assessment);
   if (!assessment.is_sweepable()) return {};
   return DividedSweep{std::move(parts), own, std::move(wishes), std::move(assessment)};

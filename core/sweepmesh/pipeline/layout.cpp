@@ -6,6 +6,7 @@
 #include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/pipeline/scheme_mesh.h"
+#include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {
 namespace {
@@ -47,6 +48,25 @@ std::optional<Reason> layout_fault(const Model& model, const Scheme& scheme,
       if (!can_merging_help(error)) break;
     }
   return first;
+}
+
+bool is_free(const Picks& picks) {
+  return picks.sources.empty() && picks.targets.empty() && picks.pairs.empty() &&
+         picks.types.empty();
+}
+
+void keep_laid_out(const Model& model, const SweepOptions& options, Context& context,
+                   Assessment& verdict) {
+  std::vector<Scheme> kept;
+  for (const std::size_t s : tries(verdict.schemes.size())) {
+    auto fault = layout_fault(model, verdict.schemes[s], options, context);
+    if (!fault)
+      kept.push_back(std::move(verdict.schemes[s]));
+    else if (verdict.reasons.empty())
+      verdict.reasons.push_back(std::move(*fault));
+  }
+  if (!kept.empty()) verdict.reasons.clear();
+  verdict.schemes = std::move(kept);
 }
 
 void accept_strained(const Model& model, const SweepOptions& options, Context& context,

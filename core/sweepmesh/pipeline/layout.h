@@ -21,6 +21,14 @@ namespace sweepmesh {
 std::optional<Reason> layout_fault(const Model& model, const Scheme& scheme,
                                    const SweepOptions& options, Context& context);
 
+/// Takes the schemes from a verdict that cannot be laid out. Where none is left, the first one's
+/// fault is the reason. Those that sweep() would not try (tries()) are dropped.
+void keep_laid_out(const Model& model, const SweepOptions& options, Context& context,
+                   Assessment& verdict);
+
+/// Whether nothing is picked.
+bool is_free(const Picks& picks);
+
 inline constexpr std::size_t kMostStrained = 6, kEnoughStrained = 3;
 
 /// Makes a verdict sweepable by those of its strained schemes that can be laid out: `kMostStrained`
