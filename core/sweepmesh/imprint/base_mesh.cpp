@@ -100,7 +100,7 @@ std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
 void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
                  const BoundaryAngles& angles, const Context& context,
                  std::vector<PlanarMesh>& candidates) {
-  constexpr double narrow = 0.05;
+  constexpr double narrow = 0.02;
   const PlanarMesh& best = *best_of(candidates, angles);
   if (quality(best.points, best).min >= narrow) return;
   if (auto divided = mesh_divided(loops, best, options, context))

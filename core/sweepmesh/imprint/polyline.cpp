@@ -96,6 +96,10 @@ Polyline with_ends(const Polyline& line, const Point2& first, const Point2& last
   return out;
 }
 
+Point2 on_lattice(const Point2& p, double step) {
+  return (p / step).array().round() * step;
+}
+
 Box2 box_of(const Polyline& line) {
   Box2 box{line.front(), line.front()};
   for (const Point2& p : line) {
