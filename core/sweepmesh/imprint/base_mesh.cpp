@@ -96,13 +96,12 @@ std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
                           [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
-/// Where the best candidate has cells without any room: the same with the domain cut in parts.
+/// Where the best candidate has inverted cells: the same with the domain cut in parts.
 void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
                  const BoundaryAngles& angles, const Context& context,
                  std::vector<PlanarMesh>& candidates) {
-  constexpr double narrow = 0.02;
   const PlanarMesh& best = *best_of(candidates, angles);
-  if (quality(best.points, best).min >= narrow) return;
+  if (quality(best.points, best).n_inverted == 0) return;
   if (auto divided = mesh_divided(loops, best, options, context))
     candidates.push_back(std::move(*divided));
 }
