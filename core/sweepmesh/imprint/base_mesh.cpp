@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "sweepmesh/base/parallel.h"
 #include "sweepmesh/imprint/domain_division.h"
 #include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
@@ -140,19 +141,26 @@ Point2 in_sizes(const Point2& p, double size) {
   return (p * (grid / size)).array().round() / grid;
 }
 
-void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-               int patch, double size, CellKind kind, const Context& context, BaseMesh& base) {
-  std::vector<int> node;
+/// The mesh of a patch in units of the element size, and the base's nodes of its boundary.
+struct PatchMesh {
+  PlanarMesh plane;
+  std::vector<int> boundary;
+};
+
+PatchMesh mesh_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                     const Patch& patch, double size, CellKind kind, const Context& context,
+                     const BaseMesh& base) {
+  PatchMesh out;
   PlanarLoops loops;
-  for (const auto& loop : imprint.patches[patch].loops) {
+  for (const auto& loop : patch.loops) {
     loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
-      node.push_back(n);
+      out.boundary.push_back(n);
       loops.back().push_back(in_sizes(base.points[n], size));
     }
   }
-  draw_touching_apart(node, loops);
-  const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
+  draw_touching_apart(out.boundary, loops);
+  const auto angles = patch_angles(model, imprint, counts, patch, loops);
   PlanarMeshOptions options;
   options.kind = kind;
   std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
@@ -160,16 +168,39 @@ void add_patch(const Model& model, const Imprint& imprint, const std::vector<int
     add_ringed(loops, angles, context, candidates);
     add_divided(loops, options, angles, context, candidates);
   }
-  const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
-  for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
-    node.push_back(base.n_nodes());
-    base.points.push_back(size * mesh.points[i]);
+  out.plane = best_candidate(std::move(candidates), angles, context);
+  return out;
+}
+
+/// The same, with errors that name the patch's caps.
+PatchMesh mesh_named_patch(const Model& model, const Imprint& imprint,
+                           const std::vector<int>& counts, const Patch& patch, double size,
+                           CellKind kind, const Context& context, const BaseMesh& base) {
+  const auto sentence = [&](const Error& e) {
+    return "The patch between " + name_of(patch.runs[0].target) + " and " +
+           name_of(patch.runs[0].source) + ": " + e.what();
+  };
+  try {
+    return mesh_patch(model, imprint, counts, patch, size, kind, context, base);
+  } catch (const InputError& e) {
+    throw InputError(e.stage(), sentence(e), caps_of(patch));
+  } catch (const SolverError& e) {
+    throw SolverError(e.stage(), sentence(e), caps_of(patch));
   }
-  for (int c = 0; c < mesh.n_cells(); ++c) {
-    for (const int n : mesh.cell(c)) base.cell_nodes.push_back(node[n]);
-    check_corners(base, c, imprint.patches[patch]);
+}
+
+void add_patch(const PatchMesh& mesh, const Patch& patch, int number, double size, BaseMesh& base) {
+  const PlanarMesh& plane = mesh.plane;
+  std::vector<int> node = mesh.boundary;
+  for (int i = plane.n_boundary; i < plane.n_nodes(); ++i) {
+    node.push_back(base.n_nodes());
+    base.points.push_back(size * plane.points[i]);
+  }
+  for (int c = 0; c < plane.n_cells(); ++c) {
+    for (const int n : plane.cell(c)) base.cell_nodes.push_back(node[n]);
+    check_corners(base, c, patch);
     base.cell_offset.push_back(static_cast<int>(base.cell_nodes.size()));
-    base.cell_patch.push_back(patch);
+    base.cell_patch.push_back(number);
   }
 }
 
@@ -254,21 +285,16 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
                    double size, CellKind kind, Context& context) {
   BaseMesh base;
   add_edge_nodes(imprint, counts, base);
-  for (std::size_t p = 0; p < imprint.patches.size(); ++p) {
+  const long n = static_cast<long>(imprint.patches.size());
+  std::vector<PatchMesh> meshes(n);
+  ThreadTeam team(context.n_threads());
+  team.for_chunks(n, 1, [&](long p, long, long) {
     context.check("surface");
-    const Patch& patch = imprint.patches[p];
-    const auto sentence = [&](const Error& e) {
-      return "The patch between " + name_of(patch.runs[0].target) + " and " +
-             name_of(patch.runs[0].source) + ": " + e.what();
-    };
-    try {
-      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, context, base);
-    } catch (const InputError& e) {
-      throw InputError(e.stage(), sentence(e), caps_of(patch));
-    } catch (const SolverError& e) {
-      throw SolverError(e.stage(), sentence(e), caps_of(patch));
-    }
-  }
+    meshes[p] =
+        mesh_named_patch(model, imprint, counts, imprint.patches[p], size, kind, context, base);
+  });
+  for (long p = 0; p < n; ++p)
+    add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), size, base);
   relax(imprint, context, base);
   throw_if_inverted(imprint, base);
   return base;
