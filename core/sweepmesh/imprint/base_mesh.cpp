@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "sweepmesh/base/parallel.h"
 #include "sweepmesh/imprint/domain_division.h"
 #include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
@@ -96,13 +97,12 @@ std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
                           [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
-/// Where the best candidate has cells without any room: the same with the domain cut in parts.
+/// Where the best candidate has inverted cells: the same with the domain cut in parts.
 void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
                  const BoundaryAngles& angles, const Context& context,
                  std::vector<PlanarMesh>& candidates) {
-  constexpr double narrow = 0.05;
   const PlanarMesh& best = *best_of(candidates, angles);
-  if (quality(best.points, best).min >= narrow) return;
+  if (quality(best.points, best).n_inverted == 0) return;
   if (auto divided = mesh_divided(loops, best, options, context))
     candidates.push_back(std::move(*divided));
 }
@@ -155,34 +155,66 @@ PlanarMesh chosen_mesh(const Model& model, const Imprint& imprint, const std::ve
   return best_candidate(std::move(candidates), angles, context);
 }
 
-void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-               int patch, double size, CellKind kind, const GivenPatches& given,
-               const Context& context, BaseMesh& base) {
-  std::vector<int> node;
+/// The mesh of a patch in units of the element size, and the base's nodes of its boundary.
+struct PatchMesh {
+  PlanarMesh plane;
+  std::vector<int> boundary;
+};
+
+/// A mesh that is given stays as it is.
+PatchMesh mesh_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                     int number, double size, CellKind kind, const GivenPatches& given,
+                     const Context& context, const BaseMesh& base) {
+  const Patch& patch = imprint.patches[number];
+  PatchMesh out;
   PlanarLoops loops;
-  for (const auto& loop : imprint.patches[patch].loops) {
+  for (const auto& loop : patch.loops) {
     loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
-      node.push_back(n);
+      out.boundary.push_back(n);
       loops.back().push_back(in_sizes(base.points[n], size));
     }
   }
-  draw_touching_apart(node, loops);
-  const auto own = given.find(patch);
-  const PlanarMesh mesh =
-      own == given.end()
-          ? chosen_mesh(model, imprint, counts, imprint.patches[patch], loops, kind, context)
-          : laid_flat(own->second.cells, own->second.points, flattened(loops), {}, context);
-  base.first_inner.push_back(base.n_nodes());
-  for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
-    node.push_back(base.n_nodes());
-    base.points.push_back(size * mesh.points[i]);
+  draw_touching_apart(out.boundary, loops);
+  const auto own = given.find(number);
+  out.plane = own == given.end()
+                  ? chosen_mesh(model, imprint, counts, patch, loops, kind, context)
+                  : laid_flat(own->second.cells, own->second.points, flattened(loops), {}, context);
+  return out;
+}
+
+/// The same, with errors that name the patch's caps.
+PatchMesh mesh_named_patch(const Model& model, const Imprint& imprint,
+                           const std::vector<int>& counts, int number, double size, CellKind kind,
+                           const GivenPatches& given, const Context& context,
+                           const BaseMesh& base) {
+  const Patch& patch = imprint.patches[number];
+  const auto sentence = [&](const Error& e) {
+    return "The patch between " + name_of(patch.runs[0].target) + " and " +
+           name_of(patch.runs[0].source) + ": " + e.what();
+  };
+  try {
+    return mesh_patch(model, imprint, counts, number, size, kind, given, context, base);
+  } catch (const InputError& e) {
+    throw InputError(e.stage(), sentence(e), caps_of(patch));
+  } catch (const SolverError& e) {
+    throw SolverError(e.stage(), sentence(e), caps_of(patch));
   }
-  for (int c = 0; c < mesh.n_cells(); ++c) {
-    for (const int n : mesh.cell(c)) base.cell_nodes.push_back(node[n]);
-    check_corners(base, c, imprint.patches[patch]);
+}
+
+void add_patch(const PatchMesh& mesh, const Patch& patch, int number, double size, BaseMesh& base) {
+  const PlanarMesh& plane = mesh.plane;
+  std::vector<int> node = mesh.boundary;
+  base.first_inner.push_back(base.n_nodes());
+  for (int i = plane.n_boundary; i < plane.n_nodes(); ++i) {
+    node.push_back(base.n_nodes());
+    base.points.push_back(size * plane.points[i]);
+  }
+  for (int c = 0; c < plane.n_cells(); ++c) {
+    for (const int n : plane.cell(c)) base.cell_nodes.push_back(node[n]);
+    check_corners(base, c, patch);
     base.cell_offset.push_back(static_cast<int>(base.cell_nodes.size()));
-    base.cell_patch.push_back(patch);
+    base.cell_patch.push_back(number);
   }
 }
 
@@ -279,21 +311,16 @@ std::vector<int> loop_nodes(const BaseMesh& base, const Patch& patch) {
 BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
                    double size, CellKind kind, Context& context, const GivenPatches& given) {
   BaseMesh base = mesh_base_edges(imprint, counts);
-  for (std::size_t p = 0; p < imprint.patches.size(); ++p) {
+  const long n = static_cast<long>(imprint.patches.size());
+  std::vector<PatchMesh> meshes(n);
+  ThreadTeam team(context.n_threads());
+  team.for_chunks(n, 1, [&](long p, long, long) {
     context.check("surface");
-    const Patch& patch = imprint.patches[p];
-    const auto sentence = [&](const Error& e) {
-      return "The patch between " + name_of(patch.runs[0].target) + " and " +
-             name_of(patch.runs[0].source) + ": " + e.what();
-    };
-    try {
-      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, given, context, base);
-    } catch (const InputError& e) {
-      throw InputError(e.stage(), sentence(e), caps_of(patch));
-    } catch (const SolverError& e) {
-      throw SolverError(e.stage(), sentence(e), caps_of(patch));
-    }
-  }
+    meshes[p] = mesh_named_patch(model, imprint, counts, static_cast<int>(p), size, kind, given,
+                                 context, base);
+  });
+  for (long p = 0; p < n; ++p)
+    add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), size, base);
   relax(imprint, context, base);
   throw_if_inverted(imprint, base);
   return base;

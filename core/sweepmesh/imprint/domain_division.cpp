@@ -276,7 +276,7 @@ class Divider {
     return out;
   }
 
-  static constexpr int most_meshed_ = 24;  ///< parts; cuts that lead nowhere must come to an end
+  static constexpr int most_meshed_ = 10;  ///< parts; cuts that lead nowhere must come to an end
   const PlanarMeshOptions& options_;
   const Context& context_;
   int n_meshed_ = 0;

@@ -136,11 +136,15 @@ class SlabWalker {
             const MeanValueField& field, const std::vector<ReferenceCurve*>& curves) {
     const auto loops = joined_loops(parts, 2 * seen_.coincidence);
     std::map<std::pair<double, double>, Point2> image;
+    const auto key = [&](const Point2& p) {
+      const Point2 rounded = on_lattice(p, seen_.lattice());
+      return std::pair(rounded.x(), rounded.y());
+    };
     std::vector<Point2> inside;
     const bool is_fixed = largest_move(parts) <= seen_.coincidence;
     for (const ReferenceCurve* c : curves)
       for (const Point2& p : c->points) {
-        const auto [place, is_new] = image.try_emplace({p.x(), p.y()}, p);
+        const auto [place, is_new] = image.try_emplace(key(p), p);
         if (!is_new) continue;
         if (const auto known = over_known_edges(c->edge, p))
           place->second = *known;
@@ -151,11 +155,10 @@ class SlabWalker {
       }
     if (!inside.empty()) {
       const std::vector<Point2> carried = carried_through(low, high, level, inside);
-      for (std::size_t i = 0; i < inside.size(); ++i)
-        image[{inside[i].x(), inside[i].y()}] = carried[i];
+      for (std::size_t i = 0; i < inside.size(); ++i) image[key(inside[i])] = carried[i];
     }
     for (ReferenceCurve* c : curves) {
-      for (Point2& p : c->points) p = image.at({p.x(), p.y()});
+      for (Point2& p : c->points) p = image.at(key(p));
       is_known_[c - out_.curves.data()] = true;
     }
   }
