@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "sweepmesh/scheme/suggested_cut.h"
+#include "sweepmesh/pipeline/tried_cut.h"
 
 namespace py = pybind11;
 
@@ -14,7 +14,7 @@ std::optional<SuggestedCut> suggest(const Model& model, const std::vector<Reason
   CutOptions options;
   options.max_tries = max_tries;
   options.seconds = seconds;
-  return suggest_cut(model, reasons, options, context);
+  return suggest_tried_cut(model, reasons, options, context);
 }
 
 }  // namespace
@@ -25,6 +25,7 @@ void bind_cuts(py::module_& module) {
       .def_property_readonly("point", [](const SuggestedCut& c) { return c.plane.point; })
       .def_property_readonly("normal", [](const SuggestedCut& c) { return c.plane.normal; })
       .def_property_readonly("face", [](const SuggestedCut& c) { return c.face.index; })
+      .def_readonly("is_tried", &SuggestedCut::is_tried)
       .def_property_readonly("pieces", [](const SuggestedCut& c) { return c.cut.pieces; })
       .def_property_readonly("shape", [](const SuggestedCut& c) { return c.cut.shape; })
       .def_property_readonly("text", &sentence_of);

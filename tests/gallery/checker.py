@@ -14,6 +14,8 @@ HEX_CORNERS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1),
 PRISM_FACES = [(0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]
 PRISM_CORNERS = [(1, 2, 3), (2, 0, 4), (0, 1, 5), (5, 4, 0), (3, 5, 1), (4, 3, 2)]
 
+SHORTEST_EDGE = 1e-3
+"""Of the median edge: what is shorter has shrunk to nothing, whatever its angles are."""
 AREA_SLACK = 0.15
 """A face of chords may lack this much of a curved face: a circle of four chords lacks 10 % of its length."""
 SAMPLE = 1500
@@ -27,9 +29,10 @@ def expect_valid_sweep(result, model, genus=None):
     corners = cells(result)
     expect_conforming(result, corners, has_contacts=len(solids) > 1)
     expect_positive(result)
+    expect_nodes_apart(result, corners)
     if len(solids) == 1:
         expect_counts(result)
-    if genus is not None:
+    if genus is not None and len(solids) == 1:  # the shells of solids that touch are joined
         expect_topology(result, corners, genus)
     tolerance = 1e-6 * model.model_size
     expect_on_entities(result, model, tolerance)
@@ -133,6 +136,18 @@ def expect_positive(result):
     assert sum(result.quality["histogram"]) == len(worst)
     if not len(result.prisms):  # prisms are scaled differently
         assert result.quality["min_scaled_jacobian"] <= worst.min() + 1e-9
+
+
+def expect_nodes_apart(result, corners):
+    """No edge may have shrunk to (nearly) nothing, which no scaled Jacobian shows."""
+    faces = element_faces(corners)
+    lengths = []
+    for i in range(4):
+        a, b = faces[:, i], faces[:, (i + 1) % 4]
+        is_edge = (a >= 0) & (b >= 0)
+        lengths.append(numpy.linalg.norm(result.points[a[is_edge]] - result.points[b[is_edge]], axis=1))
+    lengths = numpy.concatenate(lengths)
+    assert lengths.min() > SHORTEST_EDGE * numpy.median(lengths), f"an edge of length {lengths.min()}"
 
 
 def expect_counts(result):

@@ -27,6 +27,8 @@ class Cut:
     """BREP text of a compound of the pieces (`Part.Shape.importBrepFromString`)."""
     pieces: List[Model]
     """The pieces, each of which can be swept; they can be given wherever BREP text can."""
+    is_tried: bool
+    """Whether the pieces have been meshed for a trial; False where time did not allow it."""
 
     def as_report(self):
         """Plain numbers and names, as the JSON report has them."""
@@ -35,6 +37,7 @@ class Cut:
             "normal": list(self.normal),
             "face": f"Face{self.face}" if self.face else None,
             "pieces": len(self.pieces),
+            "tried": self.is_tried,
             "text": self.text,
         }
 
@@ -48,6 +51,7 @@ class Cut:
             text=core.text,
             shape=core.shape,
             pieces=core.pieces,
+            is_tried=core.is_tried,
         )
 
 
@@ -55,8 +59,8 @@ def suggest_cut(shape, options=None, progress=None):
     """The best plane found that cuts the shape's first unsweepable solid into pieces that can all be swept.
 
     `shape` is BREP text or a Model; of the options `solid` and `threads` count. Every plane that comes into question
-    is tried: the solid is cut and its pieces are assessed, for five seconds at most. None where no plane helps, or
-    where every solid can be swept as it is.
+    is tried: the solid is cut and its pieces are assessed, for five seconds at most, and the best of them are meshed,
+    for twenty. None where no plane helps, or where every solid can be swept as it is.
     """
     options = options or Options()
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "sweepmesh/imprint/domain_division.h"
 #include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
 #include "sweepmesh/surface/quad_cleanup.h"
@@ -86,13 +87,29 @@ void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Co
   }
 }
 
-PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
-                          const Context& context) {
+std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
+                                          const BoundaryAngles& angles) {
   const auto rank = [&](const PlanarMesh& m) {
     return std::pair(-n_flat_corners(m, angles), overall_quality(m));
   };
-  auto best = std::max_element(candidates.begin(), candidates.end(),
-                               [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return std::max_element(candidates.begin(), candidates.end(),
+                          [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+/// Where the best candidate has cells without any room: the same with the domain cut in parts.
+void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
+                 const BoundaryAngles& angles, const Context& context,
+                 std::vector<PlanarMesh>& candidates) {
+  constexpr double narrow = 0.05;
+  const PlanarMesh& best = *best_of(candidates, angles);
+  if (quality(best.points, best).min >= narrow) return;
+  if (auto divided = mesh_divided(loops, best, options, context))
+    candidates.push_back(std::move(*divided));
+}
+
+PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
+                          const Context& context) {
+  const auto best = best_of(candidates, angles);
   constexpr double worth_raising = 0.7;
   constexpr int n_rounds = 6;
   if (quality(best->points, *best).n_inverted == 0)
@@ -131,7 +148,10 @@ PlanarMesh chosen_mesh(const Model& model, const Imprint& imprint, const std::ve
   PlanarMeshOptions options;
   options.kind = kind;
   std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
-  if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
+  if (options.kind == CellKind::quad) {
+    add_ringed(loops, angles, context, candidates);
+    add_divided(loops, options, angles, context, candidates);
+  }
   return best_candidate(std::move(candidates), angles, context);
 }
 

@@ -61,6 +61,18 @@ Reference reference_of(const Model& model, const Scheme& scheme, const Walls& wa
   return slab_reference(model, scheme, walls, best_direction, *best, size, context);
 }
 
+/// Slabs whose sections turn on edge are carried to anywhere; nothing can be read there.
+void refuse_runaways(const Model& model, const Reference& reference) {
+  constexpr double farthest = 100.0;  // in sizes of the model
+  const double limit = farthest * model.tolerances().model_size;
+  for (const ReferenceCurve& curve : reference.curves)
+    for (const Point2& p : curve.points)
+      if (!((p - reference.project(reference.origin)).norm() < limit))
+        throw ImprintError(ImprintFailure::unreachable,
+                           name_of(curve.edge) + " cannot be carried to the other levels.",
+                           {name_of(curve.edge)});
+}
+
 }  // namespace
 
 Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
@@ -71,6 +83,7 @@ Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOpti
   const double tolerance = coincidence(model, walls, options);
   const Reference reference =
       reference_of(model, scheme, walls, level, tolerance, options.size, context);
+  refuse_runaways(model, reference);
   const double merge = std::max(tolerance, options.merge_fraction * options.size);
   return imprint_of(model, scheme, walls, overlay(model, scheme, walls, reference, merge, context));
 }

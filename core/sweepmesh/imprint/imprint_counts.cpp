@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "sweepmesh/imprint/axial_spacing.h"
 #include "sweepmesh/imprint/edge_lengths.h"
 #include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/wishes.h"
@@ -220,7 +221,7 @@ ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Impr
                         demands.piece);
 }
 
-EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
+EdgeNodes place_imprinted_nodes(const Model& model, const Scheme& scheme, const Imprint& imprint,
                                 const ImprintCounts& counts, const IntervalOptions& options) {
   EdgeNodes out = place_edge_nodes(model, counts.intervals, options);
   for (const EdgeId e : model.edges()) {
@@ -237,6 +238,7 @@ EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
     t.back() = model.range(e).second;
     out.t[e.index] = std::move(t);
   }
+  space_by_levels(model, scheme, counts.intervals, options, out);
   return out;
 }
 

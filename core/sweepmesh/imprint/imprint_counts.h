@@ -43,8 +43,8 @@ PieceDemands imprint_demands(const Model& model, const Scheme& scheme, const Imp
 ImprintCounts imprint_counts(SolvedIntervals solved, const std::vector<int>& piece);
 
 /// Where the nodes of each edge lie: evenly within each imprint edge that it is divided into, and
-/// on axial edges as place_edge_nodes has them.
-EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
+/// on axial edges near the levels that they pass (axial_spacing.h).
+EdgeNodes place_imprinted_nodes(const Model& model, const Scheme& scheme, const Imprint& imprint,
                                 const ImprintCounts& counts, const IntervalOptions& options);
 
 }  // namespace sweepmesh

@@ -35,6 +35,12 @@ Polyline part(const Polyline& line, double first_position, double last_position)
 /// change linearly with the arc; so a straight line stays straight.
 Polyline with_ends(const Polyline& line, const Point2& first, const Point2& last);
 
+/// The same, but no other point moves.
+Polyline with_ends_only(const Polyline& line, const Point2& first, const Point2& last);
+
+/// Without the points that are nearer to one of its ends than that.
+Polyline apart_from_ends(const Polyline& line, double distance);
+
 struct Box2 {
   Point2 low, high;
   bool is_near(const Box2& other, double distance) const {

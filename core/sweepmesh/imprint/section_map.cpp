@@ -106,7 +106,8 @@ std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, dou
   std::vector<OutlinePart> loops;
   std::vector<char> used(parts.size(), false);
   for (std::size_t first = 0; first < parts.size(); ++first) {
-    if (used[first]) continue;
+    // A part that is all within the tolerance is no loop: its neighbours join over it.
+    if (used[first] || length(parts[first].from) <= tolerance) continue;
     used[first] = true;
     OutlinePart loop = parts[first];
     while ((loop.from.back() - loop.from.front()).norm() > tolerance) {
@@ -189,7 +190,9 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   PlanarMesh& mesh = section.mesh;
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());
   add_grid(loops, spacing, mesh.points);
-  for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
+  const auto triangles = constrained_delaunay(mesh.points, section.loops);
+  for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
+    mesh.add_cell(t);
   const std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
 }

@@ -1,16 +1,21 @@
 #include "sweepmesh/model/plane_cut.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_Pln.hxx>
+#include <gp_Sphere.hxx>
 #include <sstream>
 
 #include "sweepmesh/model/impl.h"
@@ -25,6 +30,41 @@ TopoDS_Face large_face(const Model& model, const Plane& plane) {
   const Point3 foot = middle - (middle - plane.point).dot(plane.normal) * plane.normal;
   const gp_Dir normal(plane.normal.x(), plane.normal.y(), plane.normal.z());
   return BRepBuilderAPI_MakeFace(gp_Pln(to_gp(foot), normal), -reach, reach, -reach, reach).Face();
+}
+
+/// The one face of a shell that is a whole sphere; null where the shell is something else.
+TopoDS_Face whole_sphere(const TopoDS_Shape& shell) {
+  TopExp_Explorer faces(shell, TopAbs_FACE);
+  const TopoDS_Face face = TopoDS::Face(faces.Current());
+  faces.Next();
+  const BRepAdaptor_Surface surface(face, false);
+  if (faces.More() || surface.GetType() != GeomAbs_Sphere) return {};
+  GProp_GProps area;
+  BRepGProp::SurfaceProperties(face, area);
+  constexpr double rounding = 1e-6;
+  const double whole = surface.Sphere().Area();
+  return std::abs(area.Mass() - whole) < rounding * whole ? face : TopoDS_Face();
+}
+
+/// Where the poles of a whole sphere are says nothing of the solid. Turned towards the plane's
+/// normal they lie in the middle of what the plane leaves of the sphere, and not on its rim.
+TopoDS_Solid with_poles_across(const TopoDS_Solid& solid, const gp_Dir& normal) {
+  BRep_Builder builder;
+  TopoDS_Solid out;
+  builder.MakeSolid(out);
+  for (TopExp_Explorer it(solid, TopAbs_SHELL); it.More(); it.Next()) {
+    const TopoDS_Face face = whole_sphere(it.Current());
+    if (face.IsNull()) {
+      builder.Add(out, it.Current());
+      continue;
+    }
+    const gp_Sphere sphere = BRepAdaptor_Surface(face, false).Sphere();
+    BRepPrimAPI_MakeSphere made(gp_Ax2(sphere.Location(), normal), sphere.Radius());
+    const bool is_void = (face.Orientation() == TopAbs_REVERSED) == sphere.Direct();
+    const TopoDS_Shape shell = made.Shell();
+    builder.Add(out, is_void ? shell.Reversed() : shell);
+  }
+  return out;
 }
 
 TopoDS_Shape split(const TopoDS_Solid& solid, const TopoDS_Face& tool) {
@@ -53,7 +93,8 @@ bool adds_up(const Model& whole, const std::vector<Model>& pieces) {
 }
 
 CutPieces pieces_of(const Model& model, const TopoDS_Solid& solid, const Plane& plane) {
-  const TopoDS_Shape shape = split(solid, large_face(model, plane));
+  const gp_Dir normal(plane.normal.x(), plane.normal.y(), plane.normal.z());
+  const TopoDS_Shape shape = split(with_poles_across(solid, normal), large_face(model, plane));
   if (shape.IsNull()) return {};
   CutPieces out;
   TopoDS_Compound all;

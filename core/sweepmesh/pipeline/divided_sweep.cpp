@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/scheme/round_cuts.h"
 
 namespace sweepmesh {
@@ -166,12 +167,13 @@ std::vector<CutGroup> used_groups(const Model& model, const DividedModel& parts,
 
 std::optional<DividedSweep> divided_by(const Model& model, const std::vector<CutGroup>& groups,
                                        const Picks& picks, const SweepOptions& options,
-                                       Context& context) {
+                                       Strain strain, Context& context) {
   DividedModel parts = divide_model(model, all_of(groups));
   const Picks own = picks_of_parts(parts, picks);
-  Assessment assessment = assess(parts.model, own, context);
-  if (!assessment.is_sweepable()) return {};
   SweepOptions wishes = options_of_parts(model, parts, options);
+  Assessment assessment = assess(parts.model, own, context);
+  if (strain == Strain::accepted) accept_strained(parts.model, wishes, context, assessment);
+  if (!assessment.is_sweepable()) return {};
   return DividedSweep{std::move(parts), own, std::move(wishes), std::move(assessment)};
 }
 
@@ -182,14 +184,15 @@ bool may_be_divided(const Assessment& whole) {
 }
 
 std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
-                                            const SweepOptions& options, Context& context) try {
+                                            const SweepOptions& options, Strain strain,
+                                            Context& context) try {
   const std::vector<CutGroup> groups = round_cuts(model);
   if (groups.empty()) return {};
-  auto all = divided_by(model, groups, picks, options, context);
+  auto all = divided_by(model, groups, picks, options, strain, context);
   if (!all) return {};
   const auto used = used_groups(model, all->parts, all->assessment.schemes.front(), groups);
   if (used.empty() || used.size() == groups.size()) return all;
-  auto least = divided_by(model, used, picks, options, context);
+  auto least = divided_by(model, used, picks, options, strain, context);
   return least ? std::move(least) : std::move(all);
 } catch (const Cancelled&) {
   throw;
@@ -200,8 +203,15 @@ std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& pic
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
   Assessment whole = assess(model, picks, context);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;
-  const auto divided = divide_to_sweep(model, picks, {}, context);
-  return divided ? of_whole(model, divided->parts, divided->assessment) : whole;
+  const auto divided = [&](Strain strain) -> std::optional<Assessment> {
+    const auto found = divide_to_sweep(model, picks, {}, strain, context);
+    if (!found) return {};
+    return of_whole(model, found->parts, found->assessment);
+  };
+  if (auto found = divided(Strain::refused)) return *found;
+  accept_strained(model, {}, context, whole);
+  if (whole.is_sweepable()) return whole;
+  return divided(Strain::accepted).value_or(whole);
 }
 
 // --- back ----------------------------------------------------------------------------------------

@@ -18,17 +18,22 @@ struct DividedSweep {
   Assessment assessment;  ///< of parts.model, sweepable
 };
 
+/// Whether strained schemes (layout.h) will do for a divided solid.
+enum class Strain { refused, accepted };
+
 /// The solid with those cuts along its rounds that a scheme has use for; empty where it has no
 /// rounds or cannot be swept with all of them cut. A picked face is picked with all of its pieces;
 /// a fixed number of mesh edges on a divided edge goes to its pieces by length.
 std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
-                                            const SweepOptions& options, Context& context);
+                                            const SweepOptions& options, Strain strain,
+                                            Context& context);
 
 /// Whether to divide a solid that has this verdict as it is: not where walls run against each
 /// other, which no division mends.
 bool may_be_divided(const Assessment& whole);
 
-/// The verdict on a solid as it is or, where it cannot be swept so, divided.
+/// The verdict on a solid as it is or, where it cannot be swept so, divided; then the same with
+/// strained schemes. sweep() and plan_sweep() go the same way.
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context);
 
 // From the numbers of the parts to those of the solid. A face or edge whose pieces differ has the

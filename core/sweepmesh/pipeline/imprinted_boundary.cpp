@@ -40,8 +40,7 @@ class BoundaryMesher {
         given_(given) {}
 
   BoundaryMesh run() {
-    EdgeNodes nodes = place_imprinted_nodes(model_, imprint_, counts_, options_);
-    space_by_levels(model_, scheme_, counts_.intervals, options_, nodes);
+    EdgeNodes nodes = place_imprinted_nodes(model_, scheme_, imprint_, counts_, options_);
     take_edges(given_, nodes);
     edges_ = mesh_edges(model_, counts_.intervals, nodes, out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);

@@ -78,8 +78,11 @@ class JointMesher {
     std::vector<SchemeMesh> out;
     for (std::size_t p = 0; p < parts_.size(); ++p)
       in_part(p, [&] {
+        std::set<FaceId> common;
+        for (const auto& [face, mesh] : parts_[p].given.faces) common.insert(face);
         out.push_back(fill_boundary(parts_[p].model(), parts_[p].boundary,
-                                    parts_[p].counts.intervals, options_, clock_, context_));
+                                    parts_[p].counts.intervals, common, options_, clock_,
+                                    context_));
       });
     return out;
   }
@@ -164,8 +167,8 @@ class JointMesher {
     for (Part& part : parts_) {
       const Intervals& intervals = part.counts.intervals;
       if (part.imprint) {
-        part.nodes = place_imprinted_nodes(part.model(), *part.imprint, part.counts, part.options);
-        space_by_levels(part.model(), part.scheme(), intervals, part.options, part.nodes);
+        part.nodes = place_imprinted_nodes(part.model(), part.scheme(), *part.imprint, part.counts,
+                                           part.options);
       } else {
         part.nodes = place_edge_nodes(part.model(), intervals, part.options);
       }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <exception>
+#include <set>
 
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
 #include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/layout.h"
 
 namespace sweepmesh {
 namespace {
@@ -51,10 +53,35 @@ std::vector<Points> points_of(const Model& model, const EdgeNodes& nodes) {
   return out;
 }
 
+/// Seams of caps have no mesh edges where no patch ends at them (`used`): the mesh passes over
+/// them.
+void forget_seams(const Scheme& scheme, const std::set<EdgeId>& used, SweepPlan& plan) {
+  for (std::size_t e = 0; e < plan.edge_nodes.size(); ++e) {
+    if (scheme.edge_role[e] != EdgeRole::none || used.contains(EdgeId{e})) continue;
+    if (plan.intervals.edge[e] <= 1) continue;
+    plan.intervals.edge[e] = 0;
+    plan.edge_nodes[e].resize(0, 3);
+  }
+}
+
+std::set<EdgeId> edges_of(const Shell& shell) {
+  std::set<EdgeId> out;
+  for (const ShellEdge& e : shell.edges) out.insert({e.high.edge, e.low.edge});
+  return out;
+}
+
+std::set<EdgeId> edges_of(const Model& model, const Imprint& imprint) {
+  std::set<EdgeId> out;
+  for (const EdgeId e : model.edges())
+    if (!imprint.chain[e.index].empty()) out.insert(e);
+  return out;
+}
+
 void plan_one_to_one(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                      Context& context, SweepPlan& plan) {
   plan.intervals = assign_intervals(model, scheme, options, context);
   plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+  forget_seams(scheme, {}, plan);
 }
 
 /// Nodes on cuts through the caps belong to no edge and are left out.
@@ -63,6 +90,7 @@ void plan_shell(const Model& model, const Scheme& scheme, const IntervalOptions&
   const Shell shell = find_shell(model, scheme, context);
   plan.intervals = count_shell(model, scheme, shell, options, context).intervals;
   plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+  forget_seams(scheme, edges_of(shell), plan);
 }
 
 void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fraction,
@@ -71,7 +99,9 @@ void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fract
   const Imprint imprint = imprint_caps(model, scheme, how, context);
   const ImprintCounts counts = count_imprint(model, scheme, imprint, options, context);
   plan.intervals = counts.intervals;
-  plan.edge_nodes = points_of(model, place_imprinted_nodes(model, imprint, counts, options));
+  plan.edge_nodes =
+      points_of(model, place_imprinted_nodes(model, scheme, imprint, counts, options));
+  forget_seams(scheme, edges_of(model, imprint), plan);
 }
 
 /// Of the best scheme of plan.assessment.
@@ -106,17 +136,32 @@ void fill(const Model& model, const SweepOptions& options, Context& context, Swe
   std::rethrow_exception(first_error);
 }
 
-/// The same plan where the solid cannot be divided.
-SweepPlan plan_of_divided(const Model& model, const Picks& picks, const SweepOptions& options,
-                          Context& context, const SweepPlan& whole) {
-  if (!may_be_divided(whole.assessment)) return whole;
-  const auto divided = divide_to_sweep(model, picks, options, context);
-  if (!divided) return whole;
+/// Empty where the solid cannot be divided, or swept so.
+std::optional<SweepPlan> plan_of_divided(const Model& model, const Picks& picks,
+                                         const SweepOptions& options, Strain strain, double size,
+                                         Context& context) {
+  const auto divided = divide_to_sweep(model, picks, options, strain, context);
+  if (!divided) return {};
   SweepPlan plan;
-  plan.size = whole.size;
+  plan.size = size;
   plan.assessment = divided->assessment;
   fill(divided->parts.model, divided->options, context, plan);
   return of_whole(model, divided->parts, plan);
+}
+
+/// As assess_or_divide goes.
+SweepPlan plan_of_unsweepable(const Model& model, const Picks& picks, const SweepOptions& options,
+                              Context& context, SweepPlan plan) {
+  if (!may_be_divided(plan.assessment)) return plan;
+  if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+    return *divided;
+  accept_strained(model, options, context, plan.assessment);
+  if (plan.assessment.is_sweepable()) {
+    fill(model, options, context, plan);
+    return plan;
+  }
+  auto divided = plan_of_divided(model, picks, options, Strain::accepted, plan.size, context);
+  return divided ? *divided : plan;
 }
 
 }  // namespace
@@ -129,16 +174,17 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   plan.size = options.size.value_or(default_size(model));
   refuse_explosion(model, options, plan.size);
   plan.assessment = assess(model, picks, context);
-  if (!plan.assessment.is_sweepable()) return plan_of_divided(model, picks, options, context, plan);
+  if (!plan.assessment.is_sweepable())
+    return plan_of_unsweepable(model, picks, options, context, std::move(plan));
   try {
     fill(model, options, context, plan);
     return plan;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
-    const SweepPlan divided = plan_of_divided(model, picks, options, context, plan);
-    if (divided.directions.empty()) throw;
-    return divided;
+    if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+      return *divided;
+    throw;
   }
 }
 

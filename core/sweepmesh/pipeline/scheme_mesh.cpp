@@ -12,6 +12,7 @@
 #include "sweepmesh/pipeline/imprinted_boundary.h"
 #include "sweepmesh/pipeline/second_order_on_model.h"
 #include "sweepmesh/pipeline/shell_boundary.h"
+#include "sweepmesh/pipeline/sliding_nodes.h"
 #include "sweepmesh/volume/place.h"
 
 namespace sweepmesh {
@@ -39,10 +40,13 @@ std::vector<std::string> faces_of(const BoundaryMesh& boundary, const std::vecto
   return out;
 }
 
-VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
+VolumeMesh fill(const Model& model, const BoundaryMesh& boundary, const std::set<FaceId>& held,
+                Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
+  PlacementOptions options;
+  options.sliding = sliding_nodes(model, boundary.surface, assembly, held);
   try {
-    place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
+    place_interior(assembly.extrusion, assembly.fixed, assembly.points, options, context);
   } catch (const InvalidMeshError& e) {
     throw InvalidMeshError(e.stage(), e.what(),
                            faces_at_elements(boundary.surface, assembly, e.elements()),
@@ -74,7 +78,7 @@ class SchemeMesher {
   SchemeMesh run() {
     const BoundaryMesh boundary = mesh_boundary();
     SchemeMesh filled =
-        fill_boundary(model_, boundary, std::move(out_.intervals), options_, clock_, context_);
+        fill_boundary(model_, boundary, std::move(out_.intervals), {}, options_, clock_, context_);
     filled.warnings.insert(filled.warnings.begin(), out_.warnings.begin(), out_.warnings.end());
     return filled;
   }
@@ -175,12 +179,13 @@ BoundaryMesh without_overlaps(BoundaryMesh boundary) {
 }
 
 SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Intervals intervals,
-                         const SweepOptions& options, StageClock& clock, Context& context) {
+                         const std::set<FaceId>& held, const SweepOptions& options,
+                         StageClock& clock, Context& context) {
   SchemeMesh out;
   forget_unused_edges(boundary, intervals);
   context.report(0.6, "Placing interior nodes");
   out.mesh = clock.run("place", [&] {
-    VolumeMesh mesh = fill(boundary, context);
+    VolumeMesh mesh = fill(model, boundary, held, context);
     if (options.order == 2) add_mid_nodes_on(model, mesh, context, out.warnings);
     return mesh;
   });

@@ -1,6 +1,7 @@
 // One scheme of a solid, meshed.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,10 @@ SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOpti
 // Its steps, for solids that are meshed together.
 /// The same mesh; throws InvalidMeshError where cells of caps lie over each other.
 BoundaryMesh without_overlaps(BoundaryMesh boundary);
-/// The volume within a boundary.
+/// The volume within a boundary; the meshes of the faces `held` stay as they are.
 SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Intervals intervals,
-                         const SweepOptions& options, StageClock& clock, Context& context);
+                         const std::set<FaceId>& held, const SweepOptions& options,
+                         StageClock& clock, Context& context);
 /// The cells of caps.
 CellKind cells_of(ElementKind element);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/pipeline/scheme_mesh.h"
 
 namespace sweepmesh {
@@ -135,10 +136,10 @@ bool names_parts(const std::string& warning) {
 /// Meshes the solid divided along its rounds, where that can be swept. False: the assessment stays
 /// that of the whole solid.
 bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& options,
-                  StageClock& clock, Context& context, SweepResult& result) {
+                  Strain strain, StageClock& clock, Context& context, SweepResult& result) {
   if (!may_be_divided(result.assessment)) return false;
   auto divided =
-      clock.run("assess", [&] { return divide_to_sweep(model, picks, options, context); });
+      clock.run("assess", [&] { return divide_to_sweep(model, picks, options, strain, context); });
   if (!divided) return false;
   const DividedModel& parts = divided->parts;
   SweepResult part;
@@ -162,18 +163,45 @@ bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& op
   return true;
 }
 
+/// With schemes of poor angles that can be laid out. False: the verdict stays what it was.
+bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& clock,
+                   Context& context, SweepResult& result) {
+  SweepResult strained = result;
+  clock.run("assess", [&] {
+    accept_strained(model, options, context, strained.assessment);
+    return 0;
+  });
+  if (!strained.assessment.is_sweepable()) return false;
+  try {
+    if (!SchemeTrier(model, options, clock, context, strained).at_some_size()) return false;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    return false;
+  }
+  strained.seconds = result.seconds;
+  result = std::move(strained);
+  result.warnings.push_back(
+      "Angles are far from what the sweep needs, so elements are poor there.");
+  return true;
+}
+
 /// The solid as it is or, where that cannot be swept or meshed, divided. False: it cannot be swept.
 bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions& options,
                       StageClock& clock, Context& context, SweepResult& result) {
+  const auto divided = [&](Strain strain) {
+    return mesh_divided(model, picks, options, strain, clock, context, result);
+  };
   if (!result.assessment.is_sweepable())
-    return mesh_divided(model, picks, options, clock, context, result);
+    return divided(Strain::refused) || mesh_strained(model, options, clock, context, result) ||
+           divided(Strain::accepted);
   try {
     return SchemeTrier(model, options, clock, context, result).at_some_size();
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
     result.warnings.clear();
-    if (mesh_divided(model, picks, options, clock, context, result)) return true;
+    if (divided(Strain::refused)) return true;
     throw;
   }
 }

@@ -354,8 +354,30 @@ class Assessor {
   Assessment refuse(const Network& lenient) {
     SearchResult result = search(lenient, {}, context_);
     result.is_complete |= is_strict_complete_;
-    if (!result.divisions.empty()) return {{}, {angle_reason(lenient, result.divisions.front())}};
+    if (!result.divisions.empty()) {
+      Assessment out{{}, {angle_reason(lenient, result.divisions.front())}};
+      out.strained = strained(lenient, std::move(result.divisions));
+      return out;
+    }
     return {{}, reasons_of_failure(lenient, result, context_)};
+  }
+
+  /// What the lenient search found, and the best for each direction with its plane faces as caps.
+  std::vector<Scheme> strained(const Network& lenient, std::vector<Division> divisions) {
+    for (const PlaneCaps& caps : plane_caps(problem_)) {
+      std::vector<Pick> picks;
+      for (FaceId id : caps.along) picks.emplace_back(id, kSourceStates);
+      for (FaceId id : caps.against) picks.emplace_back(id, kTargetStates);
+      SearchOptions brief;
+      brief.max_effort /= 8;
+      std::ranges::move(search(lenient, picks, context_, brief).divisions,
+                        std::back_inserter(divisions));
+    }
+    std::vector<Scheme> out;
+    for (Scheme& scheme : ranked(model_, lenient, std::move(divisions), {}))
+      if (std::ranges::none_of(out, [&](const Scheme& s) { return has_same_caps(s, scheme); }))
+        out.push_back(std::move(scheme));
+    return out;
   }
 
   Assessment refuse_picks(const Network& strict, const Network& lenient) {

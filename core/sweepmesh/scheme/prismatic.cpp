@@ -42,6 +42,20 @@ StateSet role_along(const ProblemFace& face, const Point3& direction) {
 
 }  // namespace
 
+std::vector<PlaneCaps> plane_caps(const SweepProblem& problem) {
+  std::vector<PlaneCaps> out;
+  for (const Point3& direction : directions(problem)) {
+    PlaneCaps caps;
+    for (const ProblemFace& face : problem.faces) {
+      const double cosine = face.normal.dot(direction);
+      if (std::abs(cosine) > kParallelCosine)
+        (cosine > 0.0 ? caps.along : caps.against).push_back(face.id);
+    }
+    if (!caps.along.empty() && !caps.against.empty()) out.push_back(std::move(caps));
+  }
+  return out;
+}
+
 std::vector<Division> prismatic_divisions(const Network& network, Context& context) {
   std::vector<Division> out;
   for (const Point3& direction : directions(network.problem)) {

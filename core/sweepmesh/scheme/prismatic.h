@@ -7,6 +7,14 @@
 
 namespace sweepmesh {
 
+/// The plane faces that look along a direction, and those that look against it; neither is empty.
+struct PlaneCaps {
+  std::vector<FaceId> along, against;
+};
+
+/// For each direction with plane faces on both sides, the largest areas first, at most six.
+std::vector<PlaneCaps> plane_caps(const SweepProblem& problem);
+
 /// For each direction that plane faces have (the largest areas first, at most six): faces whose
 /// mean normal is within 45 degrees of it are sources, within 45 degrees of its opposite targets,
 /// all others linking faces; kept where states exist for these roles. A source of second choices

@@ -73,6 +73,10 @@ struct Reason {
 struct Assessment {
   std::vector<Scheme> schemes;
   std::vector<Reason> reasons;
+  /// Not sweepable as angles are too far from what the types ask for: schemes that would be
+  /// possible within the lenient limits (limits.h), the least cost first. Some can be meshed, if
+  /// poorly; what can be seen of that without a mesh is the matter of the pipeline's verdict.h.
+  std::vector<Scheme> strained = {};
   bool folds = false;  ///< not sweepable as walls run back against the sweep of a scheme
   bool is_sweepable() const { return !schemes.empty(); }
 };

@@ -38,7 +38,7 @@ class Candidates {
       return other.plane.normal.cross(plane.normal).norm() < tolerances.angle &&
              std::abs((plane.point - other.plane.point).dot(plane.normal)) < 10 * tolerances.point;
     });
-    if (!is_known) out_.push_back({plane, face, {}, 0.0});
+    if (!is_known) out_.push_back({.plane = plane, .face = face, .cut = {}});
   }
 
   /// Plane faces that could be extended into the solid.
@@ -161,6 +161,28 @@ bool is_better(const SuggestedCut& a, const SuggestedCut& b) {
   return a.cost < b.cost - rounding;
 }
 
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+std::optional<SuggestedCut> first_that_meshes(std::vector<SuggestedCut>& cuts,
+                                              const CutOptions& options, Context& context) {
+  const Stopwatch watch;
+  for (SuggestedCut& cut : cuts) {
+    if (!options.can_mesh || watch.seconds() > options.trial_seconds) return std::move(cut);
+    const auto can_mesh = [&](const Model& piece) { return options.can_mesh(piece, context); };
+    cut.is_tried = std::ranges::all_of(cut.cut.pieces, can_mesh);
+    if (cut.is_tried) return std::move(cut);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<SuggestedCut> cut_candidates(const Model& model, const std::vector<Reason>& reasons) {
@@ -169,19 +191,17 @@ std::vector<SuggestedCut> cut_candidates(const Model& model, const std::vector<R
 
 std::optional<SuggestedCut> suggest_cut(const Model& model, const std::vector<Reason>& reasons,
                                         const CutOptions& options, Context& context) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
-  std::optional<SuggestedCut> best;
+  const Stopwatch watch;
+  std::vector<SuggestedCut> helpful;
   int n_tries = 0;
   for (SuggestedCut& candidate : cut_candidates(model, reasons)) {
     context.check("assess");
-    const std::chrono::duration<double> passed = Clock::now() - begin;
-    if (++n_tries > options.max_tries || passed.count() > options.seconds) break;
+    if (++n_tries > options.max_tries || watch.seconds() > options.seconds) break;
     context.report(static_cast<double>(n_tries) / options.max_tries, "Trying cuts.");
-    if (!is_help(model, options, candidate, context)) continue;
-    if (!best || is_better(candidate, *best)) best = std::move(candidate);
+    if (is_help(model, options, candidate, context)) helpful.push_back(std::move(candidate));
   }
-  return best;
+  std::ranges::stable_sort(helpful, is_better);
+  return first_that_meshes(helpful, options, context);
 }
 
 std::string sentence_of(const SuggestedCut& cut) {
@@ -195,8 +215,9 @@ std::string sentence_of(const SuggestedCut& cut) {
   const std::string where =
       "the plane " + (cut.face.is_valid() ? "of " + name_of(cut.face) + ", " : "") + "through " +
       triple(cut.plane.point) + " with normal " + triple(cut.plane.normal);
-  return "Cut it along " + where + ": each of the " + std::to_string(cut.cut.pieces.size()) +
-         " pieces can then be swept.";
+  const std::string pieces = "the " + std::to_string(cut.cut.pieces.size()) + " pieces";
+  return "Cut it along " + where + ": each of " + pieces + " can then be swept" +
+         (cut.is_tried ? ", as a trial has shown." : ".");
 }
 
 }  // namespace sweepmesh

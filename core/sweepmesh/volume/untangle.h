@@ -27,6 +27,9 @@ struct SlidingNode {
   Point3 normal = Point3::Zero();
 };
 
+/// `fixed` without the nodes that may slide.
+std::vector<char> without_sliding(std::vector<char> fixed, const std::vector<SlidingNode>& sliding);
+
 struct UntangleOptions {
   double threshold = 0.0;  ///< elements with a scaled Jacobian up to this are to be mended
   int first_rings = 2;     ///< rings of elements around them that may move, >= 1

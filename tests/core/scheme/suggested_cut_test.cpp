@@ -58,6 +58,35 @@ TEST(SuggestedCut, takes_the_plane_of_the_face_that_a_handle_stands_on) {
   EXPECT_NEAR(std::abs(cut->plane.normal.z()), 1.0, 1e-9);
 }
 
+TEST(SuggestedCut, is_offered_when_its_pieces_mesh_or_there_was_no_time) {
+  const Model ball = hollow_ball(2);
+  Context context;
+  int n_asked = 0;
+  CutOptions options;
+  options.can_mesh = [&](const Model& piece, Context&) {
+    ++n_asked;
+    return piece.volume() < ball.volume();
+  };
+  const auto tried = suggest_cut(ball, {}, options, context);
+  ASSERT_TRUE(tried);
+  EXPECT_TRUE(tried->is_tried);
+  EXPECT_EQ(n_asked, static_cast<int>(tried->cut.pieces.size()));
+  options.trial_seconds = -1.0;
+  const auto untried = suggest_cut(ball, {}, options, context);
+  ASSERT_TRUE(untried);
+  EXPECT_FALSE(untried->is_tried);
+  options.trial_seconds = 60.0;
+  options.can_mesh = [](const Model&, Context&) { return false; };
+  EXPECT_FALSE(suggest_cut(ball, {}, options, context));
+}
+
+TEST(PlaneCut, turns_the_poles_of_a_ball_away_from_the_rims) {
+  const CutPieces cut = cut_by_plane(hollow_ball(2), {Point3::Zero(), Point3::UnitX()});
+  ASSERT_EQ(cut.pieces.size(), 2u);
+  for (const Model& piece : cut.pieces)
+    EXPECT_EQ(piece.n_faces(), 3);  // half a ball, the cut and the void
+}
+
 TEST(SuggestedCut, candidates_differ_from_each_other) {
   for (const Model& solid : {hollow_ball(3), dovetail(), hollow_box()}) {
     const auto all = cut_candidates(solid, {});

@@ -8,7 +8,7 @@ import FreeCADGui
 import Part
 from driver import (
     check, choose, click_edge, click_face, click_point, click_row, click_vertex, double_click_in_tree, go,
-    is_panel_open, note, panel_button, picture, press, reveal, rows, settle, show_all, tool_button, type_into,
+    is_panel_open, marked, note, panel_button, picture, press, reveal, rows, settle, show_all, tool_button, type_into,
     type_shortcut, wait_for, widget,
 )
 from overlays import letters, tick_points
@@ -145,8 +145,8 @@ def follow_each_other(brick, upright):
     check("the preview follows", wait_for(lambda: "6" not in letters(brick)))
     FreeCADGui.Selection.clearSelection()
     click_edge(brick, upright)
-    marked = [item.text() for item in widget("overrides").selectedItems()]
-    check("an edge selects its rows", marked and all(text.startswith(upright + ":") for text in marked))
+    names = [text.split(":")[0] for text in marked("overrides")]
+    check("an edge selects its rows", set(names) == {upright})
     row = next(i for i, text in enumerate(rows("overrides")) if "growth" in text)
     click_row("overrides", row)
     press(widget("removeOverrides"))

@@ -8,8 +8,8 @@ sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
 from driver import (
-    LEFT, NO_KEY, OUT, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle,
-    show_all, tool_button, type_into, wait_for, widget,
+    LEFT, NO_KEY, OUT, QTest, check, click_row, go, is_panel_open, is_shown, note, panel_button, picture, press, row_of,
+    rows, settle, show_all, tool_button, type_into, wait_for, widget,
 )
 from PySide import QtCore
 
@@ -62,11 +62,10 @@ def an_unsweepable_solid():
     open_panel(ball)
     check("reasons are listed", wait_for(lambda: rows("reasons")))
     note("reasons", rows("reasons"))
-    shown = widget("reasons")
-    QTest.mouseClick(shown.viewport(), LEFT, NO_KEY, shown.visualItemRect(shown.item(0)).center())
+    click_row("reasons", 0)
     settle()
     chosen = [name for one in FreeCADGui.Selection.getSelectionEx() for name in one.SubElementNames]
-    check("a click on a reason selects what it names", chosen == shown.item(0).data(QtCore.Qt.UserRole))
+    check("a click on a reason selects what it names", chosen == row_of(widget("reasons"), 0).data(QtCore.Qt.UserRole))
     picture("01_unsweepable")
     press(panel_button("OK"))
     check("the run ends", lambda: not is_shown("progress") and rows("reasons"))

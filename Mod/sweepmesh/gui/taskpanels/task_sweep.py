@@ -11,7 +11,7 @@ from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
 from sweepmesh.gui import recorder
 from sweepmesh.gui.read_models import ReadModels
-from sweepmesh.gui.resources import Widgets, clear_lists, icon, load_form, tr
+from sweepmesh.gui.resources import Widgets, icon, let_go, load_form, tr
 from sweepmesh.gui.runner import STOP_SECONDS, Runner
 from sweepmesh.gui.taskpanels.cut_offer import CutOffer
 from sweepmesh.gui.taskpanels.face_lists import FaceLists
@@ -313,7 +313,7 @@ class SweepPanel:
         self._picking.close()
         self._previews.close()
         self._cut.close()
-        clear_lists(self.form)
+        let_go(self.form)
         name = self._document_name
         QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(name))
 
