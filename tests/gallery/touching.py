@@ -160,6 +160,9 @@ MIXED = {
     "boxes on both sides": lambda: fragments(
         box(0, 40, 0, 30, 0, 10), box(10, 25, 8, 20, 10, 25), box(15, 35, 4, 14, -12, 0)
     ),
+    "equal pads on both sides": lambda: fragments(
+        box(0, 40, 0, 30, 0, 10), rod(8, vec(20, 15, 10), 12), rod(8, vec(20, 15, -6), 6)
+    ),
     "tower": lambda: fragments(box(0, 40, 0, 30, 0, 10), box(10, 25, 8, 20, 10, 25), box(0, 40, 0, 30, 25, 35)),
     "pin through two plates": lambda: fragments(
         box(-20, 20, -20, 20, 0, 6).cut(rod(8, vec(0, 0), 6)),

@@ -249,16 +249,32 @@ class JointMesher {
       ++n_caps;
       n_given += part.given.faces.contains(side.face);
     }
-    if (part.imprint) return 4;
+    if (part.imprint) return must_carry_on(p) ? 1 : 4;
     return n_given > 0 ? 1 : n_caps > 1 ? 2 : 3;
+  }
+
+  /// Whether a mesh that a cap has been given lies opposite one that another solid waits for.
+  bool must_carry_on(int p) const {
+    const Part& part = parts_[p];
+    const auto is_given = [&](FaceId f) { return part.given.faces.contains(f); };
+    const auto is_waiting = [&](FaceId f) {
+      return !is_given(f) && std::ranges::any_of(sides_, [&](const SideOfContact& side) {
+        return side.part == p && side.face == f;
+      });
+    };
+    return std::ranges::any_of(part.imprint->patches, [&](const Patch& patch) {
+      return std::ranges::any_of(patch.runs, [&](const Run& run) {
+        return (is_given(run.target) && is_waiting(run.source)) ||
+               (is_given(run.source) && is_waiting(run.target));
+      });
+    });
   }
 
   void mesh_boundaries() {
     for (std::size_t n = 0; n < parts_.size(); ++n) {
       int next = -1;
-      for (std::size_t p = 0; p < parts_.size(); ++p)
-        if (!parts_[p].is_meshed && (next < 0 || rank(static_cast<int>(p)) < rank(next)))
-          next = static_cast<int>(p);
+      for (int p = 0; p < static_cast<int>(parts_.size()); ++p)
+        if (!parts_[p].is_meshed && (next < 0 || rank(p) < rank(next))) next = p;
       in_part(next, [&] { mesh_boundary_of(parts_[next]); });
       for (const SideOfContact& side : sides_)
         if (side.part == next && !parts_[side.other_part].is_meshed &&
