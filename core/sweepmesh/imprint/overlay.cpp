@@ -169,6 +169,7 @@ class Overlayer {
       const Point2 foot = at_arc(graph_.pieces[s.piece].points, s.arc).point;
       cut_piece(s.piece, s.arc, s.node);
       if (is_corner_[s.node] && s.distance > reference_.coincidence) move_node(s.node, foot);
+      is_corner_[s.node] = false;  // it is on a curve now
       is_cut[s.piece] = any = true;
     }
     return any;

@@ -60,8 +60,9 @@ int split(PieceGraph& graph, int piece, double arc, int node, double coincidence
   // A node that lies on the curve but for the error of chords leaves other points where they are:
   // else the curve could come to lie on the wrong side of one that it touches there.
   const auto put = (place - p.point).norm() > coincidence ? with_ends : with_ends_only;
-  first.points = apart_from_ends(put(first.points, whole.points.front(), place), coincidence);
-  second.points = apart_from_ends(put(second.points, place, whole.points.back()), coincidence);
+  const double tiny = 1e-3 * coincidence;  // a chord that short may point anywhere
+  first.points = apart_from_ends(put(first.points, whole.points.front(), place), tiny);
+  second.points = apart_from_ends(put(second.points, place, whole.points.back()), tiny);
   const double fraction = p.arc / length(whole.points);
   for (const PieceTrace& trace : whole.traces) {
     auto [a, b] = cut(trace, fraction_at(trace, fraction, graph.nodes[node].places, coincidence));
