@@ -144,7 +144,7 @@ def test_figure_8_4_grid_spacer():
 def test_figure_8_6_inlet_parts():
     meshed("inlet_part", least=0.3)
     for scheme in range(len(manifest()["inlet_assembly"]["schemes"])):
-        meshed("inlet_assembly", scheme, least=0.3)
+        meshed("inlet_assembly", scheme)
 
 
 def test_figure_8_8_caterpillar_part():
