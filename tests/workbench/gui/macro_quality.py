@@ -7,8 +7,8 @@ import FreeCAD
 import FreeCADGui
 import Part
 from driver import (
-    LEFT, NO_KEY, OUT, QTest, check, choose, click_row, go, is_panel_open, is_shown, note, panel_button, picture,
-    place_of, press, settle, show_all, tool_button, wait_for, widget,
+    LEFT, NO_KEY, OUT, QTest, check, choose, click_row, go, is_panel_open, is_shown, left_of_panels, note, panel_button,
+    picture, place_of, press, settle, show_all, tool_button, wait_for, widget,
 )
 from PySide import QtCore
 
@@ -39,6 +39,7 @@ def steps():
     press(panel_button("Close"))
     check("the panel closes", wait_for(lambda: not is_panel_open()))
     check("the mesh is shown again", mesh.ViewObject.Visibility)
+    a_script_closes_the_panel(mesh)
     an_undone_mesh_closes_the_panel(*a_reopened_mesh(document, mesh))
 
 
@@ -113,6 +114,18 @@ def an_undone_mesh_closes_the_panel(document, mesh):
     wait_for(is_panel_open)
     document.removeObject(mesh.Name)
     check("deleting the mesh closes the panel", wait_for(lambda: not is_panel_open()))
+
+
+def a_script_closes_the_panel(mesh):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(mesh)
+    press(tool_button("Quality of the sweep mesh"))
+    wait_for(lambda: is_shown("worst") and drawn(mesh))
+    before = mesh.ViewObject.RootNode.getNumChildren()
+    FreeCADGui.Control.closeDialog()
+    check("a panel that a script closes is gone", lambda: not is_panel_open() and not left_of_panels())
+    check("with what it drew", mesh.ViewObject.RootNode.getNumChildren() == before - 1)
+    check("the mesh is shown again, too", mesh.ViewObject.Visibility)
 
 
 def a_reopened_mesh(document, mesh):

@@ -36,7 +36,9 @@ class QualityPanel:
         self.form.histogramBox.layout().addWidget(self._histogram)
         self._load()
         self._connect()
+        self._is_open = True
         FreeCAD.addDocumentObserver(self)
+        self.form.destroyed.connect(self._form_is_gone)
         self._maker = Runner()
         self._maker.succeeded.connect(self._take_elements)
         arrays = self._arrays
@@ -115,12 +117,22 @@ class QualityPanel:
         return True
 
     def _close(self):
+        self._stop()
+        let_go([self.form])
+        QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
+
+    def _form_is_gone(self, *_):
+        """FreeCAD has closed the panel without asking it, as it does where a script says so."""
+        if self._is_open:
+            self._stop()
+
+    def _stop(self):
+        """Stop all work and take everything out of the view."""
+        self._is_open = False
         FreeCAD.removeDocumentObserver(self)
         self._maker.close()
         self._overlay.remove()
-        let_go([self.form])
         self._mesh.ViewObject.Visibility = self._was_visible
-        QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
 
     def slotDeletedDocument(self, document):
         """FreeCAD calls this when a document is about to be closed."""
