@@ -528,6 +528,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>The elements are made ready for drawing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The scaled Jacobian is 1 for a cube and not above 0 for an inverted element</source>
       <translation type="unfinished" />
     </message>

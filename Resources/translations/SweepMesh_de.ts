@@ -528,6 +528,10 @@
       <translation>Zeigen</translation>
     </message>
     <message>
+      <source>The elements are made ready for drawing</source>
+      <translation>Die Elemente werden zum Zeichnen vorbereitet</translation>
+    </message>
+    <message>
       <source>The scaled Jacobian is 1 for a cube and not above 0 for an inverted element</source>
       <translation>Die skalierte Jacobi-Determinante ist 1 für einen Würfel und nicht über 0 für ein umgestülptes Element</translation>
     </message>

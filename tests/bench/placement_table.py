@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Table of all methods of placement on the solids of a gallery that are swept one to one or many to one.
 
-    placement_table.py PROGRAM [--all] [--markdown] [--factor F] [--gallery FOLDER] [SOLID ...]
+    placement_table.py PROGRAM [--all] [--quick] [--markdown] [--factor F] [--gallery FOLDER] [SOLID ...]
 
 PROGRAM is sweepmesh_bench_methods. Without names: the solids of the thesis' chapters 2 to 4 (the figures in FIGURES),
 with --all every one. FOLDER holds gallery.json and its shapes; by default it is the one in $SWEEPMESH_SHARED/gallery
-or in a folder `shared` beside the checkout. F multiplies the element sizes. Each row is followed by what beats the
+or in a folder `shared` beside the checkout. F multiplies the element sizes, --quick leaves out the methods that take
+seconds. Each row is followed by what beats the
 first method in its solid: a greater least or mean scaled Jacobian (to four digits) of any other.
 Ends with 1 if one does whose mesh is valid, or if the first method leaves an element inverted.
 """
@@ -29,21 +30,31 @@ def figures_of(solid):
     return {f.strip() for f in solid["figure"].split(",")}
 
 
+def is_placed(solid):
+    """Whether the solid belongs into the table: no sources above one another."""
+    return solid["kind"] in ("1-1", "M-1")
+
+
+def is_in_table(solid):
+    return is_placed(solid) and bool(figures_of(solid) & FIGURES)
+
+
 def chosen(solids, options):
     for solid in solids:
         if options.solids:
             is_wanted = solid["name"] in options.solids
         else:
-            is_wanted = solid["kind"] in ("1-1", "M-1") and (options.all or figures_of(solid) & FIGURES)
+            is_wanted = is_placed(solid) if options.all else is_in_table(solid)
         if is_wanted:
             yield solid
 
 
-def run(program, folder, solid, factor):
+def run(program, folder, solid, factor=1.0, is_quick=False):
     """Rows of one solid: method, then the columns as printed."""
     scheme = solid["schemes"][0]
     picks = [str(x) for kind in ("source", "target") for p in scheme[kind + "s"] for x in (kind, *p)]
     command = [program, solid["name"], str(folder / solid["file"]), str(factor * solid["element_size"]), *picks]
+    command[1:1] = ["--quick"] * is_quick
     lines = subprocess.run(command, capture_output=True, text=True).stdout.splitlines()
     return [line.split(None, 7)[1:] for line in lines]
 
@@ -66,6 +77,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--all", action="store_true")
+    parser.add_argument("--quick", action="store_true")
     parser.add_argument("--markdown", action="store_true")
     parser.add_argument("--factor", type=float, default=1.0)
     parser.add_argument("--gallery", type=Path, default=gallery_folder())
@@ -78,7 +90,7 @@ def main():
         print(line % ("method", "hexes", "inverted", "min", "mean", "seconds"))
         if options.markdown:
             print("|---|---|---|---|---|---|")
-        rows = run(options.program, options.gallery, solid, options.factor)
+        rows = run(options.program, options.gallery, solid, options.factor, options.quick)
         for row in rows:
             print(line % tuple((row + [""] * 6)[:6]))
         better = beats(rows)
@@ -87,4 +99,5 @@ def main():
     return 1 if is_beaten else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -57,9 +57,20 @@ def shapes(tmp_path_factory):
     Part.Compound([brick, Part.makeBox(1, 1, 1, FreeCAD.Vector(100, 0, 0))]).exportStep(str(folder / "two.step"))
     beside = Part.makeBox(10, 40, 25, FreeCAD.Vector(60, 0, 0))
     Part.Compound([brick, beside]).exportStep(str(folder / "touching.step"))
+    aside = Part.makeBox(10, 40, 25, FreeCAD.Vector(60, 20, 0))
+    Part.Compound([brick, aside]).exportStep(str(folder / "overlapping.step"))
+    _handle().exportStep(str(folder / "handle.step"))
     _write_bad(folder, brick)
     _write_documents(folder, brick)
     return folder
+
+
+def _handle():
+    """Half a ring with both feet on a disc: sweepable once it is cut off."""
+    ring = Part.makeTorus(12, 3)
+    ring.rotate(FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0), 90)
+    upper = ring.common(Part.makeBox(60, 60, 30, FreeCAD.Vector(-30, -30, 0)))
+    return Part.makeCylinder(25, 10, FreeCAD.Vector(0, 0, -10)).fuse(upper)
 
 
 def _voids():

@@ -107,10 +107,38 @@ def test_all_solids_are_meshed_or_the_chosen_one(sweepmesh, shapes, tmp_path):
     assert hexahedra() == 481
 
 
-def test_touching_solids_are_said_to_share_no_nodes(sweepmesh, shapes):
-    done = sweepmesh(shapes / "touching.step", "--size", 5)
-    assert done.returncode == 0 and "share no nodes" in done.stderr
-    assert "share no nodes" not in sweepmesh(shapes / "two.step", "--size", 5).stderr
+def test_touching_solids_have_one_mesh(sweepmesh, shapes, tmp_path):
+    done = sweepmesh(shapes / "touching.step", "--size", 5, "--report", "report.json")
+    assert done.returncode == 0 and done.stderr == ""
+    counts = json.loads((tmp_path / "report.json").read_text())["counts"]
+    assert (counts["hexa"], counts["nodes"]) == (14 * 8 * 5, 15 * 9 * 6)
+
+
+def test_solids_that_touch_in_part_are_told_of(sweepmesh, shapes):
+    done = sweepmesh(shapes / "overlapping.step", "--size", 5)
+    assert done.returncode == 0
+    assert "lie on each other in part" in done.stderr and "BooleanFragments" in done.stderr
+
+
+def test_a_cut_solid_is_meshed_in_one(sweepmesh, shapes, tmp_path):
+    """The handle's feet stand on nodes of the disc below; the pieces are left in the file."""
+    report, mesh = tmp_path / "report.json", tmp_path / "mesh.vtu"
+    done = sweepmesh(
+        shapes / "handle.step", "--size", 2.5, "--cut", "pieces.brep", "--out", "mesh.vtu", "--report", "report.json"
+    )
+    assert done.returncode == 0 and mesh.exists(), done.stderr
+    said = json.loads(report.read_text())
+    assert said["verdict"] == "sweepable" and said["suggested_cut"]["pieces"] == 2
+    assert said["warnings"] == [done.stderr.split("warning: ", 1)[1].strip()] and "pieces.brep" in said["warnings"][0]
+    pieces = Part.Shape()
+    pieces.importBrep(str(tmp_path / "pieces.brep"))
+    assert len(pieces.Solids) == 2 and len(said["scheme"]) == len(pieces.Faces)
+
+
+def test_a_solid_that_needs_no_cut_is_left_whole(sweepmesh, shapes, tmp_path):
+    done = sweepmesh(shapes / "brick.step", "--size", 5, "--cut", "pieces.brep")
+    assert done.returncode == 0 and not (tmp_path / "pieces.brep").exists()
+    assert sweepmesh(shapes / "brick.step", "--cut", "pieces.txt").returncode == 1
 
 
 def test_the_result_of_a_document_is_taken_not_its_parts(sweepmesh, shapes):

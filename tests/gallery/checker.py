@@ -14,6 +14,8 @@ HEX_CORNERS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1),
 PRISM_FACES = [(0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]
 PRISM_CORNERS = [(1, 2, 3), (2, 0, 4), (0, 1, 5), (5, 4, 0), (3, 5, 1), (4, 3, 2)]
 
+SHORTEST_EDGE = 1e-3
+"""Of the median edge: what is shorter has shrunk to nothing, whatever its angles are."""
 AREA_SLACK = 0.15
 """A face of chords may lack this much of a curved face: a circle of four chords lacks 10 % of its length."""
 SAMPLE = 1500
@@ -25,11 +27,12 @@ def expect_valid_sweep(result, model, genus=None):
     assert result.n_elements > 0, "no elements"
     solids = chosen_solids(model)
     corners = cells(result)
-    expect_conforming(result, corners)
+    expect_conforming(result, corners, has_contacts=len(solids) > 1)
     expect_positive(result)
+    expect_nodes_apart(result, corners)
     if len(solids) == 1:
         expect_counts(result)
-    if genus is not None:
+    if genus is not None and len(solids) == 1:  # the shells of solids that touch are joined
         expect_topology(result, corners, genus)
     tolerance = 1e-6 * model.model_size
     expect_on_entities(result, model, tolerance)
@@ -80,19 +83,34 @@ def rolled(polygons):
     return polygons
 
 
-def expect_conforming(result, corners):
-    """Inner faces have two elements, outer ones are the boundary's polygons, outward; no node is unused."""
+def expect_conforming(result, corners, has_contacts=False):
+    """Inner faces have two elements, outer ones are the boundary's polygons, outward; no node is unused.
+
+    Where solids touch, polygons of the faces that they have in common lie between two elements.
+    """
     faces = element_faces(corners)
     _, inverse, counts = numpy.unique(numpy.sort(faces, axis=1), axis=0, return_inverse=True, return_counts=True)
     assert counts.max() <= 2, "a face has more than two elements"
     outer = rolled(faces[counts[inverse.ravel()] == 1])
-    given = rolled(boundary_polygons(result))
+    polygons = boundary_polygons(result)
+    given = rolled(polygons[is_outer(polygons, corners)] if has_contacts else polygons)
     assert sorted(map(tuple, outer)) == sorted(map(tuple, given)), "the boundary is not that of the elements"
     used = numpy.unique(numpy.concatenate([result.hexahedra.ravel(), result.prisms.ravel()]))
     assert len(used) == len(result.points) and used[-1] == len(result.points) - 1, "nodes without an element"
     on_boundary = numpy.zeros(len(result.points), bool)
     on_boundary[result.boundary_nodes] = True
     assert numpy.array_equal(on_boundary, result.owner_kind != INSIDE), "owners do not fit the boundary"
+
+
+def is_outer(polygons, corners):
+    """Per polygon: it is a face of one element only, not of two. Each must be one of some element."""
+    faces = numpy.sort(element_faces(corners), axis=1)
+    _, inverse, counts = numpy.unique(
+        numpy.vstack([faces, numpy.sort(polygons, axis=1)]), axis=0, return_inverse=True, return_counts=True
+    )
+    uses = numpy.bincount(inverse.ravel()[: len(faces)], minlength=len(counts))[inverse.ravel()[len(faces) :]]
+    assert uses.min() > 0, "a boundary polygon is no face of an element"
+    return uses == 1
 
 
 def corner_jacobians(points, nodes, corners):
@@ -118,6 +136,18 @@ def expect_positive(result):
     assert sum(result.quality["histogram"]) == len(worst)
     if not len(result.prisms):  # prisms are scaled differently
         assert result.quality["min_scaled_jacobian"] <= worst.min() + 1e-9
+
+
+def expect_nodes_apart(result, corners):
+    """No edge may have shrunk to (nearly) nothing, which no scaled Jacobian shows."""
+    faces = element_faces(corners)
+    lengths = []
+    for i in range(4):
+        a, b = faces[:, i], faces[:, (i + 1) % 4]
+        is_edge = (a >= 0) & (b >= 0)
+        lengths.append(numpy.linalg.norm(result.points[a[is_edge]] - result.points[b[is_edge]], axis=1))
+    lengths = numpy.concatenate(lengths)
+    assert lengths.min() > SHORTEST_EDGE * numpy.median(lengths), f"an edge of length {lengths.min()}"
 
 
 def expect_counts(result):
@@ -210,7 +240,8 @@ def mesh_volume(result):
     """Volume inside the boundary, by the divergence theorem; each quad is two triangles, both ways, averaged."""
     origin = result.points.mean(axis=0)
     total = 0.0
-    for polygon in (boundary_polygons(result),):
+    polygons = boundary_polygons(result)
+    for polygon in (polygons[is_outer(polygons, cells(result))],):
         filled = numpy.where(polygon < 0, polygon[:, [0]], polygon)
         a, b, c, d = (result.points[filled[:, i]] - origin for i in range(4))
         for x, y, z in ((a, b, c), (a, c, d), (b, c, d), (b, d, a)):

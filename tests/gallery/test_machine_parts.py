@@ -98,6 +98,17 @@ def cross_bored():
     return rod(10, 60).cut(Part.makeCylinder(4, 40, FreeCAD.Vector(-20, 0, 30), FreeCAD.Vector(1, 0, 0)))
 
 
+def lever(large, small, distance, web):
+    """Two hubs and a thinner web whose sides touch both: the web's corners have no angle."""
+    slope = (large - small) / distance
+    side = math.sqrt(1 - slope**2)
+    corners = [(r * slope + x, s * r * side, 2) for x, r, s in ((0, large, 1), (distance, small, 1), (distance, small, -1), (0, large, -1))]
+    corners = [FreeCAD.Vector(*c) for c in corners]
+    plate = Part.Face(Part.makePolygon([*corners, corners[0]])).extrude(web * Z)
+    hubs = rod(large, web + 4).fuse(rod(small, web + 4, distance))
+    return drilled(drilled(hubs.fuse(plate).removeSplitter(), large / 2, [(0, 0)]), small / 2, [(distance, 0)])
+
+
 PARTS = {
     "flange_with_a_fillet": flange,
     "angle_with_a_fillet": lambda: angle(4),
@@ -127,6 +138,17 @@ def test_is_meshed_without_picks(name):
     assert result.assessment.is_sweepable, result.assessment.reasons
     expect_valid_sweep(result, model)
     assert result.quality["min_scaled_jacobian"] > LEAST
+
+
+@pytest.mark.parametrize("large, small, distance, web", [(12, 8, 60, 6), (10, 10, 40, 3), (20, 6, 50, 8)])
+@pytest.mark.parametrize("factor", [0.7, 1.0, 1.6])
+def test_webs_that_touch_their_hubs(large, small, distance, web, factor):
+    """The CAD model's corners of no degrees leave room for valid elements, though not for good ones."""
+    solid = lever(large, small, distance, web).Solids[0]
+    model = Model.from_brep(solid.exportBrepToString(), 0)
+    result = mesh(model, Options(size=factor * (solid.Volume / 3000) ** (1 / 3)))
+    expect_valid_sweep(result, model)
+    assert result.quality["mean_scaled_jacobian"] > 0.8
 
 
 def test_picked_caps_are_taken_though_more_faces_would_be_cheaper():

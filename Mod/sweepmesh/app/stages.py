@@ -8,7 +8,7 @@ Each takes a document object or a Part shape, and settings by keyword:
     order         1 or 2
     sources       faces from which the mesh is swept; none given: found
     targets       faces on which it ends; none given: found
-    solid         which solid of several is meshed, from 1; none given: all, side by side
+    solid         which solid of several is meshed, from 1; none given: all
     pairs         [(source, target), ...]: this source is to be swept to this target
     vertex_types  {("Face3", "Vertex7"): "corner", ...}: "end", "side", "corner" or "reversal" at a vertex of a
                   linking face, names or numbers; others are found

@@ -86,5 +86,10 @@ def make_parser():
     )
     add("--report", metavar="FILE", help="write verdict, counts, quality and times as JSON")
     add("--assess", action="store_true", help="only say whether the solid can be swept")
+    add(
+        "--cut",
+        metavar="FILE",
+        help="cut a solid that cannot be swept along a plane that is found, write the pieces to FILE (.brep) and mesh these",
+    )
     add("--quiet", action="store_true", help="print nothing but errors")
     return parser

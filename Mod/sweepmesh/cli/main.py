@@ -1,5 +1,6 @@
 """The command line from arguments to exit status."""
 
+import dataclasses
 import json
 import os
 import signal
@@ -12,6 +13,7 @@ from sweepmesh.cli import shapes
 from sweepmesh.cli.arguments import make_parser
 from sweepmesh.cli.progress import progress_bar
 from sweepmesh.cli.writing import write_all
+from sweepmesh.engine.errors import input_error
 
 DONE, FAILED, UNSWEEPABLE = 0, 1, 2
 """Exit statuses."""
@@ -52,6 +54,8 @@ def _run(arguments):
         output.check_path(path)
     if arguments.report:
         output.check_folder(arguments.report)
+    if arguments.cut:
+        _check_pieces_path(arguments.cut)
     state = {"assessment": None, "result": None, "seconds": {}, "warnings": [], "cut": None}
     try:
         _work(arguments, state)
@@ -73,6 +77,13 @@ def _run(arguments):
     return DONE if is_sweepable else UNSWEEPABLE
 
 
+def _check_pieces_path(path):
+    """Raises InputError."""
+    if not path.lower().endswith((".brep", ".brp")):
+        raise input_error(f"The pieces of a cut are written as BREP: {path} has another suffix than .brep.")
+    output.check_folder(path)
+
+
 def _work(arguments, state):
     """Reads, assesses or meshes, and writes; what is known goes into `state` as soon as it is."""
     seconds, warnings = state["seconds"], state["warnings"]
@@ -88,11 +99,27 @@ def _work(arguments, state):
                 _look_for_cut(shape.model, options, state, progress)
             return
         result = engine.mesh(shape.model, options, progress)
+        if arguments.cut and not result.assessment.is_sweepable:
+            shape, options, result = _mesh_pieces(shape, options, result, arguments.cut, state, progress)
         warnings += result.warnings
         state.update(result=result, assessment=result.assessment)
         if result.assessment.is_sweepable:
             with _timed(seconds, "write"):
                 write_all(arguments.out, result, shape, options, progress)
+
+
+def _mesh_pieces(shape, options, result, path, state, progress):
+    """The pieces that the suggested cut leaves, written to `path`, and their mesh; all as given where there is none."""
+    cut = engine.suggest_cut(shape.model, options, progress)
+    if cut is None or shape.model.n_solids > 1:
+        return shape, options, result
+    with output.replacing(path) as temporary:
+        temporary.write_text(cut.shape)
+    state["cut"] = cut
+    state["warnings"].append(f"The solid is cut into {len(cut.pieces)} pieces, which are in {path}: {cut.text}")
+    pieces = shapes.read_shape(path)
+    options = dataclasses.replace(options, solid=None, sources=[], targets=[], pairs=[], vertex_types=[])
+    return pieces, options, engine.mesh(pieces.model, options, progress)
 
 
 def _look_for_cut(model, options, state, progress):

@@ -1,10 +1,13 @@
 """Where icons and forms are, and translation."""
+import importlib
 import pathlib
 
 import FreeCADGui
 from FreeCAD import Qt
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
+# shiboken2 or shiboken6, as FreeCAD has PySide2 or PySide6
+_shiboken = importlib.import_module(QtCore.QObject.__module__.split(".")[0].replace("PySide", "shiboken"))
 RESOURCES = pathlib.Path(__file__).resolve().parents[3] / "Resources"
 
 
@@ -23,16 +26,17 @@ def load_form(name):
     return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
 
 
-def clear_lists(forms):
-    """Empty the lists of forms that close.
+def let_go(forms):
+    """Part the Python halves of forms that close from the widgets, which FreeCAD is about to delete.
 
-    Else the Python halves of their rows may outlive the rows, and PySide 2 takes one for whatever Qt puts at its
-    address next, be it a widget of another workbench.
+    Else these halves, and those of rows of lists, may outlive the widgets where some other code has seen them, and
+    PySide takes one for whatever Qt puts at its address next, be it a widget of another workbench.
     """
     for form in forms:
         for rows in form.findChildren(QtGui.QListWidget):
             rows.blockSignals(True)
             rows.clear()
+        _shiboken.invalidate(form)
 
 
 class Widgets:

@@ -4,6 +4,8 @@
 #include <map>
 #include <numbers>
 
+#include "sweepmesh/base/parallel.h"
+#include "sweepmesh/imprint/domain_division.h"
 #include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
 #include "sweepmesh/surface/quad_cleanup.h"
@@ -86,13 +88,28 @@ void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Co
   }
 }
 
-PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
-                          const Context& context) {
+std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
+                                          const BoundaryAngles& angles) {
   const auto rank = [&](const PlanarMesh& m) {
     return std::pair(-n_flat_corners(m, angles), overall_quality(m));
   };
-  auto best = std::max_element(candidates.begin(), candidates.end(),
-                               [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return std::max_element(candidates.begin(), candidates.end(),
+                          [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+/// Where the best candidate has inverted cells: the same with the domain cut in parts.
+void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
+                 const BoundaryAngles& angles, const Context& context,
+                 std::vector<PlanarMesh>& candidates) {
+  const PlanarMesh& best = *best_of(candidates, angles);
+  if (quality(best.points, best).n_inverted == 0) return;
+  if (auto divided = mesh_divided(loops, best, options, context))
+    candidates.push_back(std::move(*divided));
+}
+
+PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
+                          const Context& context) {
+  const auto best = best_of(candidates, angles);
   constexpr double worth_raising = 0.7;
   constexpr int n_rounds = 6;
   if (quality(best->points, *best).n_inverted == 0)
@@ -124,33 +141,80 @@ Point2 in_sizes(const Point2& p, double size) {
   return (p * (grid / size)).array().round() / grid;
 }
 
-void add_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-               int patch, double size, CellKind kind, const Context& context, BaseMesh& base) {
-  std::vector<int> node;
-  PlanarLoops loops;
-  for (const auto& loop : imprint.patches[patch].loops) {
-    loops.emplace_back();
-    for (const int n : nodes_of(base, loop)) {
-      node.push_back(n);
-      loops.back().push_back(in_sizes(base.points[n], size));
-    }
-  }
-  draw_touching_apart(node, loops);
-  const auto angles = patch_angles(model, imprint, counts, imprint.patches[patch], loops);
+PlanarMesh chosen_mesh(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                       const Patch& patch, const PlanarLoops& loops, CellKind kind,
+                       const Context& context) {
+  const auto angles = patch_angles(model, imprint, counts, patch, loops);
   PlanarMeshOptions options;
   options.kind = kind;
   std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
-  if (options.kind == CellKind::quad) add_ringed(loops, angles, context, candidates);
-  const PlanarMesh mesh = best_candidate(std::move(candidates), angles, context);
-  for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i) {
-    node.push_back(base.n_nodes());
-    base.points.push_back(size * mesh.points[i]);
+  if (options.kind == CellKind::quad) {
+    add_ringed(loops, angles, context, candidates);
+    add_divided(loops, options, angles, context, candidates);
   }
-  for (int c = 0; c < mesh.n_cells(); ++c) {
-    for (const int n : mesh.cell(c)) base.cell_nodes.push_back(node[n]);
-    check_corners(base, c, imprint.patches[patch]);
+  return best_candidate(std::move(candidates), angles, context);
+}
+
+/// The mesh of a patch in units of the element size, and the base's nodes of its boundary.
+struct PatchMesh {
+  PlanarMesh plane;
+  std::vector<int> boundary;
+};
+
+/// A mesh that is given stays as it is.
+PatchMesh mesh_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                     int number, double size, CellKind kind, const GivenPatches& given,
+                     const Context& context, const BaseMesh& base) {
+  const Patch& patch = imprint.patches[number];
+  PatchMesh out;
+  PlanarLoops loops;
+  for (const auto& loop : patch.loops) {
+    loops.emplace_back();
+    for (const int n : nodes_of(base, loop)) {
+      out.boundary.push_back(n);
+      loops.back().push_back(in_sizes(base.points[n], size));
+    }
+  }
+  draw_touching_apart(out.boundary, loops);
+  const auto own = given.find(number);
+  out.plane = own == given.end()
+                  ? chosen_mesh(model, imprint, counts, patch, loops, kind, context)
+                  : laid_flat(own->second.cells, own->second.points, flattened(loops), {}, context);
+  return out;
+}
+
+/// The same, with errors that name the patch's caps.
+PatchMesh mesh_named_patch(const Model& model, const Imprint& imprint,
+                           const std::vector<int>& counts, int number, double size, CellKind kind,
+                           const GivenPatches& given, const Context& context,
+                           const BaseMesh& base) {
+  const Patch& patch = imprint.patches[number];
+  const auto sentence = [&](const Error& e) {
+    return "The patch between " + name_of(patch.runs[0].target) + " and " +
+           name_of(patch.runs[0].source) + ": " + e.what();
+  };
+  try {
+    return mesh_patch(model, imprint, counts, number, size, kind, given, context, base);
+  } catch (const InputError& e) {
+    throw InputError(e.stage(), sentence(e), caps_of(patch));
+  } catch (const SolverError& e) {
+    throw SolverError(e.stage(), sentence(e), caps_of(patch));
+  }
+}
+
+void add_patch(const PatchMesh& mesh, const Patch& patch, int number, double size, BaseMesh& base) {
+  const PlanarMesh& plane = mesh.plane;
+  std::vector<int> node = mesh.boundary;
+  base.first_inner.push_back(base.n_nodes());
+  for (int i = plane.n_boundary; i < plane.n_nodes(); ++i) {
+    node.push_back(base.n_nodes());
+    base.points.push_back(size * plane.points[i]);
+  }
+  for (int c = 0; c < plane.n_cells(); ++c) {
+    for (const int n : plane.cell(c)) base.cell_nodes.push_back(node[n]);
+    check_corners(base, c, patch);
     base.cell_offset.push_back(static_cast<int>(base.cell_nodes.size()));
-    base.cell_patch.push_back(patch);
+    base.cell_patch.push_back(number);
   }
 }
 
@@ -231,25 +295,32 @@ void throw_if_inverted(const Imprint& imprint, const BaseMesh& base) {
 
 }  // namespace
 
-BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                   double size, CellKind kind, Context& context) {
+BaseMesh mesh_base_edges(const Imprint& imprint, const std::vector<int>& counts) {
   BaseMesh base;
   add_edge_nodes(imprint, counts, base);
-  for (std::size_t p = 0; p < imprint.patches.size(); ++p) {
+  return base;
+}
+
+std::vector<int> loop_nodes(const BaseMesh& base, const Patch& patch) {
+  std::vector<int> out;
+  for (const auto& loop : patch.loops)
+    for (const int n : nodes_of(base, loop)) out.push_back(n);
+  return out;
+}
+
+BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                   double size, CellKind kind, Context& context, const GivenPatches& given) {
+  BaseMesh base = mesh_base_edges(imprint, counts);
+  const long n = static_cast<long>(imprint.patches.size());
+  std::vector<PatchMesh> meshes(n);
+  ThreadTeam team(context.n_threads());
+  team.for_chunks(n, 1, [&](long p, long, long) {
     context.check("surface");
-    const Patch& patch = imprint.patches[p];
-    const auto sentence = [&](const Error& e) {
-      return "The patch between " + name_of(patch.runs[0].target) + " and " +
-             name_of(patch.runs[0].source) + ": " + e.what();
-    };
-    try {
-      add_patch(model, imprint, counts, static_cast<int>(p), size, kind, context, base);
-    } catch (const InputError& e) {
-      throw InputError(e.stage(), sentence(e), caps_of(patch));
-    } catch (const SolverError& e) {
-      throw SolverError(e.stage(), sentence(e), caps_of(patch));
-    }
-  }
+    meshes[p] = mesh_named_patch(model, imprint, counts, static_cast<int>(p), size, kind, given,
+                                 context, base);
+  });
+  for (long p = 0; p < n; ++p)
+    add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), size, base);
   relax(imprint, context, base);
   throw_if_inverted(imprint, base);
   return base;

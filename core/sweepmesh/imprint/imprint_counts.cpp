@@ -6,10 +6,9 @@
 #include <optional>
 #include <set>
 
+#include "sweepmesh/imprint/axial_spacing.h"
 #include "sweepmesh/imprint/edge_lengths.h"
 #include "sweepmesh/intervals/areas.h"
-#include "sweepmesh/intervals/assign_intervals.h"
-#include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/wishes.h"
 
 namespace sweepmesh {
@@ -199,18 +198,30 @@ class Demands {
 
 }  // namespace
 
-ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                            const IntervalOptions& options, Context& context) {
+PieceDemands imprint_demands(const Model& model, const Scheme& scheme, const Imprint& imprint,
+                             const IntervalOptions& options) {
   Demands demands(model, scheme, imprint, options);
   demands.add();
-  SolvedIntervals solved = solve_intervals(model, scheme, demands.demands(), options, context);
-  ImprintCounts out{std::move(solved.intervals), {}};
+  PieceDemands out{demands.demands(), {}};
   for (std::size_t e = 0; e < imprint.edges.size(); ++e)
-    out.edge.push_back(static_cast<int>(solved.values[demands.unknown(static_cast<int>(e))]));
+    out.piece.push_back(demands.unknown(static_cast<int>(e)));
   return out;
 }
 
-EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
+ImprintCounts imprint_counts(SolvedIntervals solved, const std::vector<int>& piece) {
+  ImprintCounts out{std::move(solved.intervals), {}};
+  for (const int unknown : piece) out.edge.push_back(static_cast<int>(solved.values[unknown]));
+  return out;
+}
+
+ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
+                            const IntervalOptions& options, Context& context) {
+  PieceDemands demands = imprint_demands(model, scheme, imprint, options);
+  return imprint_counts(solve_intervals(model, scheme, std::move(demands.whole), options, context),
+                        demands.piece);
+}
+
+EdgeNodes place_imprinted_nodes(const Model& model, const Scheme& scheme, const Imprint& imprint,
                                 const ImprintCounts& counts, const IntervalOptions& options) {
   EdgeNodes out = place_edge_nodes(model, counts.intervals, options);
   for (const EdgeId e : model.edges()) {
@@ -227,6 +238,7 @@ EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
     t.back() = model.range(e).second;
     out.t[e.index] = std::move(t);
   }
+  space_by_levels(model, scheme, counts.intervals, options, out);
   return out;
 }
 

@@ -6,7 +6,9 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/imprint/walls.h"
+#include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/edge_nodes.h"
+#include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/interval_options.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
@@ -30,9 +32,19 @@ struct ImprintCounts {
 ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
                             const IntervalOptions& options, Context& context);
 
+/// The problem without its solution, for several solids that are counted together
+/// (solve_together).
+struct PieceDemands {
+  IntervalDemands whole;
+  std::vector<int> piece;  ///< by imprint or shell edge: its unknown
+};
+PieceDemands imprint_demands(const Model& model, const Scheme& scheme, const Imprint& imprint,
+                             const IntervalOptions& options);
+ImprintCounts imprint_counts(SolvedIntervals solved, const std::vector<int>& piece);
+
 /// Where the nodes of each edge lie: evenly within each imprint edge that it is divided into, and
-/// on axial edges as place_edge_nodes has them.
-EdgeNodes place_imprinted_nodes(const Model& model, const Imprint& imprint,
+/// on axial edges near the levels that they pass (axial_spacing.h).
+EdgeNodes place_imprinted_nodes(const Model& model, const Scheme& scheme, const Imprint& imprint,
                                 const ImprintCounts& counts, const IntervalOptions& options);
 
 }  // namespace sweepmesh

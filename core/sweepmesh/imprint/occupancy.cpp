@@ -90,13 +90,14 @@ Occupancy::Column Occupancy::column(const std::vector<VertexId>& vertices,
 }
 
 bool Occupancy::meet_in(const std::vector<VertexId>& there, const Span& a, const Span& b) const {
-  const auto ends = [&](VertexId v, const std::vector<EdgeId>& edges) {
-    return std::any_of(edges.begin(), edges.end(),
-                       [&](EdgeId e) { return model_.start(e) == v || model_.end(e) == v; });
+  const auto ends_there = [&](const std::vector<EdgeId>& edges) {
+    return std::ranges::any_of(edges, [&](EdgeId e) {
+      return std::ranges::any_of(
+          there, [&](VertexId v) { return model_.start(e) == v || model_.end(e) == v; });
+    });
   };
-  return std::any_of(there.begin(), there.end(), [&](VertexId v) {
-    return (ends(v, a.bottoms) || ends(v, a.tops)) && (ends(v, b.bottoms) || ends(v, b.tops));
-  });
+  return (ends_there(a.bottoms) || ends_there(a.tops)) &&
+         (ends_there(b.bottoms) || ends_there(b.tops));
 }
 
 bool Occupancy::collide(const Place& a, const Place& b, const std::vector<VertexId>& there) const {

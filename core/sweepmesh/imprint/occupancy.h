@@ -41,7 +41,7 @@ class Occupancy {
   Column column(const std::vector<VertexId>& vertices, const std::vector<Place>& ends) const;
 
   /// Whether the edges or columns, brought to one place, would collide. Edges do not where their
-  /// linking faces meet in one of the vertices `there` (ascending).
+  /// linking faces meet in the vertices `there`, which are of one column.
   bool collide(const Place& a, const Place& b, const std::vector<VertexId>& there = {}) const;
   bool collide(const Column& a, const Column& b) const;
   bool collide(const Column& a, const Place& b) const;

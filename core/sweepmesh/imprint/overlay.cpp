@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
 
-#include "sweepmesh/imprint/forest.h"
+#include "sweepmesh/imprint/arranged_pieces.h"
+#include "sweepmesh/imprint/columns.h"
 #include "sweepmesh/imprint/pieces.h"
 
 namespace sweepmesh {
@@ -19,15 +19,15 @@ class Overlayer {
   Overlayer(const Model& model, const Scheme& scheme, const Walls& walls,
             const Reference& reference, double merge_distance, const Context& context)
       : model_(model),
-        scheme_(scheme),
         walls_(walls),
         reference_(reference),
         occupancy_(model, walls, reference),
+        ends_(model, walls, reference),
+        columns_(find_columns(model, scheme, reference, occupancy_, ends_)),
         near_(merge_distance),
         context_(context) {}
 
   Overlay run() {
-    find_curves_at_vertices();
     make_nodes();
     find_corners();
     make_pieces();
@@ -45,37 +45,14 @@ class Overlayer {
  private:
   // --- nodes -------------------------------------------------------------------------------------
 
-  void find_curves_at_vertices() {
-    curves_at_.resize(model_.n_vertices());
-    for (const ReferenceCurve& c : reference_.curves) {
-      curves_at_[model_.start(c.edge).index].push_back({&c, true});
-      curves_at_[model_.end(c.edge).index].push_back({&c, false});
-    }
-  }
-
-  /// CAD vertices joined by axial edges are a column; columns that lie near each other and do not
-  /// collide are a node.
+  /// Columns that lie near each other and do not collide are a node.
   void make_nodes() {
-    Forest columns(model_.n_vertices());
-    for (const EdgeId e : model_.edges())
-      if (scheme_.edge_role[e.index] == EdgeRole::axial)
-        columns.join(model_.start(e).index, model_.end(e).index);
-    std::map<int, std::vector<VertexId>> vertices;  // by root
-    for (const VertexId v : model_.vertices()) vertices[columns.root(v.index)].push_back(v);
-    for (const auto& [root, list] : vertices) {
-      std::vector<Place> ends;
-      for (const VertexId v : list)
-        for (const Place& p : places_at(v)) ends.push_back(p);
-      if (!ends.empty()) columns_.push_back({list, occupancy_.column(list, ends)});
-    }
-    Forest nodes(static_cast<int>(columns_.size()));
-    join_near(nodes);
-    std::vector<int> node(columns_.size(), -1);
+    const std::vector<int> joined = joined_columns(columns_, occupancy_, near_);
+    std::map<int, int> node;  // by number in `joined`
     node_of_.assign(model_.n_vertices(), -1);
     for (int c = 0; c < static_cast<int>(columns_.size()); ++c) {
-      int& n = node[nodes.root(c)];
-      if (n < 0) n = add_node(place_of(c));
-      node[c] = n;
+      if (!node.contains(joined[c])) node[joined[c]] = add_node(columns_[joined[c]].place);
+      const int n = node[joined[c]];
       columns_in_[n].push_back(c);
       auto& cad = graph_.nodes[n].cad;
       for (const VertexId v : columns_[c].vertices) {
@@ -91,66 +68,35 @@ class Overlayer {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       bool is_corner = true;
       for (const VertexId v : graph_.nodes[n].cad)
-        for (const auto& [edge, away] : directions_at(v))
-          is_corner = is_corner && turn_at(edge, v) > corner_;
+        for (const auto& [edge, away] : ends_.directions(v))
+          is_corner = is_corner && ends_.turn(edge, v) > corner_;
       is_corner_[n] = is_corner;
     }
   }
 
-  const Point2& place_of(int column) const {
-    return reference_.vertex[columns_[column].vertices.front().index];
-  }
-
-  void join_near(Forest& nodes) const {
-    std::vector<std::tuple<double, int, int>> pairs;
-    const int n = static_cast<int>(columns_.size());
-    for (int a = 0; a < n; ++a)
-      for (int b = a + 1; b < n; ++b)
-        if (const double d = (place_of(a) - place_of(b)).norm(); d < near_)
-          pairs.emplace_back(d, a, b);
-    std::sort(pairs.begin(), pairs.end());
-    for (const auto& [d, a, b] : pairs)
-      if (may_join(nodes, nodes.root(a), nodes.root(b))) nodes.join(a, b);
-  }
-
-  bool may_join(const Forest& nodes, int a, int b) const {
-    if (a == b || (place_of(a) - place_of(b)).norm() > near_) return false;
-    const int n = static_cast<int>(columns_.size());
-    for (int p = 0; p < n; ++p)
-      for (int q = 0; q < n; ++q)
-        if (nodes.root(p) == a && nodes.root(q) == b &&
-            occupancy_.collide(columns_[p].column, columns_[q].column))
-          return false;
-    return true;
-  }
-
-  /// The edges that end in a vertex, each a little way along it.
-  std::vector<Place> places_at(VertexId v) const {
-    std::vector<Place> out;
-    for (const auto& [curve, at_start] : curves_at_[v.index])
-      out.push_back({curve->edge, beside(curve->points, at_start)});
-    return out;
-  }
-
-  static Point2 beside(const Polyline& line, bool at_start) {
-    constexpr double little = 0.1;
-    return at_arc(line, length(line) * (at_start ? little : 1.0 - little)).point;
-  }
-
-  bool collide(const std::vector<Place>& a, const std::vector<Place>& b,
-               const std::vector<VertexId>& there = {}) const {
+  bool collide(const std::vector<Place>& a, const std::vector<Place>& b) const {
     for (const Place& p : a)
       for (const Place& q : b)
-        if (occupancy_.collide(p, q, there)) return true;
+        if (occupancy_.collide(p, q)) return true;
     return false;
   }
 
   bool collide_at_node(int node, const std::vector<Place>& there) const {
-    if (const auto found = columns_in_.find(node); found != columns_in_.end())
-      for (const int c : found->second)
-        for (const Place& p : there)
-          if (occupancy_.collide(columns_[c].column, p)) return true;
-    return collide(places_through(node), there, graph_.nodes[node].cad);
+    const auto found = columns_in_.find(node);
+    const std::vector<int> columns =
+        found == columns_in_.end() ? std::vector<int>{} : found->second;
+    for (const int c : columns)
+      for (const Place& p : there)
+        if (occupancy_.collide(columns_[c].column, p)) return true;
+    const auto collide_there = [&](const Place& p, const Place& q) {
+      return occupancy_.collide(p, q) && std::ranges::all_of(columns, [&](int c) {
+               return occupancy_.collide(p, q, columns_[c].vertices);
+             });
+    };
+    for (const Place& p : places_through(node))
+      for (const Place& q : there)
+        if (collide_there(p, q)) return true;
+    return false;
   }
 
   // --- pieces ------------------------------------------------------------------------------------
@@ -178,7 +124,7 @@ class Overlayer {
     const auto add = [&](const PieceTrace& t, bool at_start) {
       if (node_of_[model_.start(t.edge).index] != node &&
           node_of_[model_.end(t.edge).index] != node)
-        out.push_back({t.edge, beside(t.line, at_start)});
+        out.push_back({t.edge, CurveEnds::beside(t.line, at_start)});
     };
     for (int p = 0; p < n_pieces(); ++p)
       for (const PieceTrace& t : graph_.pieces[p].traces) {
@@ -222,7 +168,7 @@ class Overlayer {
       if (collide_at_node(s.node, places_on(s.piece, fraction))) continue;
       const Point2 foot = at_arc(graph_.pieces[s.piece].points, s.arc).point;
       cut_piece(s.piece, s.arc, s.node);
-      if (is_corner_[s.node]) move_node(s.node, foot);
+      if (is_corner_[s.node] && s.distance > reference_.coincidence) move_node(s.node, foot);
       is_cut[s.piece] = any = true;
     }
     return any;
@@ -278,35 +224,8 @@ class Overlayer {
     double sum = 0.0;
     for (const int node : {p.start, p.end})
       for (const VertexId v : {model_.start(e), model_.end(e)})
-        if (node_of_[v.index] == node) sum += turn_at(e, v);
+        if (node_of_[v.index] == node) sum += ends_.turn(e, v);
     return sum;
-  }
-
-  /// The least angle by which a way along an edge turns at the edge's end, to go on along another
-  /// edge of its level (or the same one, where it is closed).
-  double turn_at(EdgeId e, VertexId v) const {
-    double least = std::numbers::pi;
-    for (const auto& [edge, away] : directions_at(v)) {
-      if (edge != e) continue;
-      for (const auto& [other, onwards] : directions_at(v)) {
-        if ((other == e && onwards == away) || walls_.level[other.index] != walls_.level[e.index])
-          continue;
-        least =
-            std::min(least, std::numbers::pi - std::acos(std::clamp(away.dot(onwards), -1.0, 1.0)));
-      }
-    }
-    return least;
-  }
-
-  /// The curves that end in a vertex, with their unit directions away from it.
-  std::vector<std::pair<EdgeId, Point2>> directions_at(VertexId v) const {
-    std::vector<std::pair<EdgeId, Point2>> out;
-    for (const auto& [curve, at_start] : curves_at_[v.index]) {
-      const auto& p = curve->points;
-      const Point2 away = at_start ? Point2(p[1] - p[0]) : Point2(p[p.size() - 2] - p.back());
-      out.push_back({curve->edge, away.normalized()});
-    }
-    return out;
   }
 
   void merge(int a, int b) {
@@ -409,20 +328,14 @@ class Overlayer {
   /// Arranges all pieces and cuts them where the arrangement says that they meet between their
   /// ends. True if any was cut.
   bool cut_crossings() {
-    std::vector<Polyline> lines;
-    alive_.clear();
-    for (int p = 0; p < n_pieces(); ++p)
-      if (graph_.is_alive(p)) {
-        alive_.push_back(p);
-        lines.push_back(graph_.pieces[p].points);
-      }
-    arrangement_ = arrange(lines);
-    find_nodes_of_vertices();
+    arranged_ = arrange_pieces(graph_);
+    for (std::size_t v = 0; v < arranged_.node.size(); ++v)
+      if (arranged_.node[v] < 0) arranged_.node[v] = add_node(arranged_.arrangement.vertices[v]);
     std::map<int, std::map<double, int, std::greater<>>> cuts;  // piece -> position -> node
-    for (const auto& edge : arrangement_.edges)
+    for (const auto& edge : arranged_.arrangement.edges)
       for (const auto& use : edge.uses) {
         const auto add = [&](double position, int vertex) {
-          const int p = alive_[use.polyline], node = node_of_vertex_[vertex];
+          const int p = arranged_.piece[use.polyline], node = arranged_.node[vertex];
           if (!graph_.has_end(p, node)) cuts[p].emplace(position, node);
         };
         add(use.first, edge.start);
@@ -437,89 +350,33 @@ class Overlayer {
     return !cuts.empty();
   }
 
-  void find_nodes_of_vertices() {
-    std::map<std::pair<double, double>, int> at;
-    for (const int p : alive_)
-      for (const int n : {graph_.pieces[p].start, graph_.pieces[p].end}) {
-        const Point2& point = graph_.nodes[n].point;
-        const auto [place, is_new] = at.try_emplace({point.x(), point.y()}, n);
-        if (!is_new && place->second != n) throw_on_one_point(place->second, n);
-      }
-    node_of_vertex_.clear();
-    for (const Point2& v : arrangement_.vertices) {
-      const auto found = at.find({v.x(), v.y()});
-      node_of_vertex_.push_back(found == at.end() ? add_node(v) : found->second);
-    }
-  }
-
-  [[noreturn]] void throw_on_one_point(int a, int b) const {
-    std::vector<std::string> names;
-    for (const int n : {a, b})
-      for (const VertexId v : graph_.nodes[n].cad) names.push_back(name_of(v));
-    throw ImprintError(ImprintFailure::collision,
-                       "Vertices of the same levels lie over each other along the sweep.", names);
-  }
-
   Overlay result() {
     Overlay out;
-    for (const int n : node_of_vertex_) out.cad.push_back(graph_.nodes[n].cad);
-    for (const auto& edge : arrangement_.edges) {
-      if (edge.uses.size() > 1) throw_on_one_curve(edge.uses[0].polyline, edge.uses[1].polyline);
-      const auto& use = edge.uses.front();
-      std::vector<Trace> traces;
-      for (const PieceTrace& t : graph_.pieces[alive_[use.polyline]].traces) {
-        const bool is_along = use.first < use.last;
-        traces.push_back({t.edge, walls_.level[t.edge.index], is_along ? t.t.front() : t.t.back(),
-                          is_along ? t.t.back() : t.t.front()});
-      }
-      std::sort(traces.begin(), traces.end(), [](const Trace& a, const Trace& b) {
-        return std::tie(a.level, a.edge) < std::tie(b.level, b.edge);
-      });
-      out.traces.push_back(std::move(traces));
-    }
-    out.arrangement = std::move(arrangement_);
+    for (const int n : arranged_.node) out.cad.push_back(graph_.nodes[n].cad);
+    out.traces = traces_of(arranged_, graph_, walls_);
+    out.arrangement = std::move(arranged_.arrangement);
     out.merges = std::move(merges_);
     return out;
   }
 
-  [[noreturn]] void throw_on_one_curve(int a, int b) const {
-    const EdgeId first = graph_.pieces[alive_[a]].traces[0].edge;
-    const EdgeId second = graph_.pieces[alive_[b]].traces[0].edge;
-    throw ImprintError(ImprintFailure::collision,
-                       name_of(first) + " and " + name_of(second) +
-                           " lie over each other along the sweep, in the same levels.",
-                       {name_of(first), name_of(second)});
-  }
-
   const Model& model_;
-  const Scheme& scheme_;
   const Walls& walls_;
   const Reference& reference_;
   const Occupancy occupancy_;
+  const CurveEnds ends_;
+  const std::vector<CadColumn> columns_;
   const double near_;
   const Context& context_;
   static constexpr double corner_ = 0.35;  ///< radians; what turns less is smooth
-  struct CurveEnd {
-    const ReferenceCurve* curve;
-    bool at_start;
-  };
-  std::vector<std::vector<CurveEnd>> curves_at_;  ///< by VertexId
   PieceGraph graph_;
-  std::vector<char> is_corner_;  ///< by node: it may still be moved
-  struct CadColumn {
-    std::vector<VertexId> vertices;
-    Occupancy::Column column;
-  };
-  std::vector<CadColumn> columns_;
+  std::vector<char> is_corner_;                 ///< by node: it may still be moved
   std::map<int, std::vector<int>> columns_in_;  ///< by node
   std::vector<int> node_of_;  ///< by VertexId; -1 where no curve ends in its column
   std::vector<Merge> merges_;
   std::map<int, int> changes_;  ///< how often a piece has been cut, joined or moved
   /// Pieces that were not to be cut where they run near each other, with their changes by then.
   std::map<std::pair<int, int>, std::pair<int, int>> seen_apart_;
-  std::vector<int> alive_;  ///< pieces of the last arrangement's polylines
-  PlaneArrangement arrangement_;
-  std::vector<int> node_of_vertex_;
+  ArrangedPieces arranged_;
 };
 
 }  // namespace

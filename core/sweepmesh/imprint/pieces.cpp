@@ -55,8 +55,13 @@ int split(PieceGraph& graph, int piece, double arc, int node, double coincidence
   const double last = static_cast<double>(whole.points.size() - 1);
   const Point2& place = graph.nodes[node].point;
   Piece first{whole.start, node, {}, {}}, second{node, whole.end, {}, {}};
-  first.points = with_ends(part(whole.points, 0.0, p.position), whole.points.front(), place);
-  second.points = with_ends(part(whole.points, p.position, last), place, whole.points.back());
+  first.points = part(whole.points, 0.0, p.position);
+  second.points = part(whole.points, p.position, last);
+  // A node that lies on the curve but for the error of chords leaves other points where they are:
+  // else the curve could come to lie on the wrong side of one that it touches there.
+  const auto put = (place - p.point).norm() > coincidence ? with_ends : with_ends_only;
+  first.points = apart_from_ends(put(first.points, whole.points.front(), place), coincidence);
+  second.points = apart_from_ends(put(second.points, place, whole.points.back()), coincidence);
   const double fraction = p.arc / length(whole.points);
   for (const PieceTrace& trace : whole.traces) {
     auto [a, b] = cut(trace, fraction_at(trace, fraction, graph.nodes[node].places, coincidence));

@@ -96,6 +96,26 @@ Polyline with_ends(const Polyline& line, const Point2& first, const Point2& last
   return out;
 }
 
+Polyline with_ends_only(const Polyline& line, const Point2& first, const Point2& last) {
+  Polyline out = line;
+  out.front() = first;
+  out.back() = last;
+  return out;
+}
+
+Polyline apart_from_ends(const Polyline& line, double distance) {
+  Polyline out = {line.front()};
+  for (std::size_t i = 1; i + 1 < line.size(); ++i)
+    if ((line[i] - line.front()).norm() > distance && (line[i] - line.back()).norm() > distance)
+      out.push_back(line[i]);
+  out.push_back(line.back());
+  return out;
+}
+
+Point2 on_lattice(const Point2& p, double step) {
+  return (p / step).array().round() * step;
+}
+
 Box2 box_of(const Polyline& line) {
   Box2 box{line.front(), line.front()};
   for (const Point2& p : line) {

@@ -35,6 +35,16 @@ Polyline part(const Polyline& line, double first_position, double last_position)
 /// change linearly with the arc; so a straight line stays straight.
 Polyline with_ends(const Polyline& line, const Point2& first, const Point2& last);
 
+/// The same, but no other point moves.
+Polyline with_ends_only(const Polyline& line, const Point2& first, const Point2& last);
+
+/// Without the points that are nearer to one of its ends than that.
+Polyline apart_from_ends(const Polyline& line, double distance);
+
+/// The nearest point whose coordinates are multiples of `step`: points that differ by rounding are
+/// then the same, and so are the decisions taken on them, however a solid is turned.
+Point2 on_lattice(const Point2& p, double step);
+
 struct Box2 {
   Point2 low, high;
   bool is_near(const Box2& other, double distance) const {

@@ -57,7 +57,9 @@ class Sampler {
  private:
   static constexpr int deepest_ = 12;
 
-  Point2 at(double t) const { return view_.project(model_.point(edge_, t)); }
+  Point2 at(double t) const {
+    return on_lattice(view_.project(model_.point(edge_, t)), view_.lattice());
+  }
 
   void add(double t, const Point2& p) {
     out_.t.push_back(t);
@@ -159,7 +161,7 @@ Reference projected_reference(const Model& model, const Walls& walls, const Poin
   }
   for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
   for (const VertexId v : model.vertices())
-    reference.vertex[v.index] = reference.project(model.point(v));
+    reference.vertex[v.index] = on_lattice(reference.project(model.point(v)), reference.lattice());
   return reference;
 }
 

@@ -31,6 +31,8 @@ struct Reference {
   std::vector<ReferenceCurve> curves;
   std::vector<Point2> vertex;  ///< by VertexId; zero where no curve ends and no column passes
   double coincidence = 0.0;    ///< curves nearer than this are the same one in the CAD model
+  /// What coordinates are rounded to, far below the coincidence.
+  double lattice() const { return coincidence / (1 << 20); }
 };
 
 /// Directions along which every axial edge rises from its lower to its upper end: their mean, and

@@ -14,16 +14,15 @@
 namespace sweepmesh {
 namespace {
 
-/// Points along a loop at most `spacing` apart, the first not repeated, and no two so near to each
-/// other, here or in R, that a triangle between them is nothing but rounding.
-OutlinePart refined(const OutlinePart& loop, double spacing) {
-  constexpr double least_share = 1e-4;  // of the spacing
-  const double least = least_share * spacing;
+/// Points along a loop at most 1 apart, the first not repeated, and no two so near to each other,
+/// here or in R, that a triangle between them is nothing but rounding.
+OutlinePart refined(const OutlinePart& loop) {
+  constexpr double least = 1e-4;
   OutlinePart out;
   const auto is_free = [&](const Point2& from, const Point2& to, std::size_t i) {
     return (from - out.from[i]).norm() > least && (to - out.to[i]).norm() > least;
   };
-  for (const PolylinePoint& p : resampled(loop.from, spacing)) {
+  for (const PolylinePoint& p : resampled(loop.from, 1.0)) {
     const Point2 to = at_position(loop.to, p.position).point;
     if (!out.from.empty() && !is_free(p.point, to, out.from.size() - 1)) continue;
     out.from.push_back(p.point);
@@ -36,22 +35,22 @@ OutlinePart refined(const OutlinePart& loop, double spacing) {
   return out;
 }
 
-/// Grid points inside the loops that keep their distance from all other points.
-void add_grid(const std::vector<OutlinePart>& loops, double spacing, std::vector<Point2>& points) {
-  constexpr double least_share = 0.6;  // of the spacing, to the nearest other point
+/// Grid points 1 apart inside the loops that keep their distance from all other points.
+void add_grid(const std::vector<OutlinePart>& loops, std::vector<Point2>& points) {
+  constexpr double least = 0.6;  // to the nearest other point
   Box2 box = box_of(loops.front().from);
   for (const OutlinePart& l : loops) {
     const Box2 b = box_of(l.from);
     box = {box.low.cwiseMin(b.low), box.high.cwiseMax(b.high)};
   }
   const std::vector<Point2> given = points;
-  const int nx = static_cast<int>((box.high.x() - box.low.x()) / spacing);
-  const int ny = static_cast<int>((box.high.y() - box.low.y()) / spacing);
+  const int nx = static_cast<int>(box.high.x() - box.low.x());
+  const int ny = static_cast<int>(box.high.y() - box.low.y());
   for (int i = 0; i <= nx; ++i)
     for (int j = 0; j <= ny; ++j) {
-      const Point2 p = box.low + spacing * Point2(i + (j % 2 == 0 ? 0.25 : 0.75), j + 0.5);
+      const Point2 p = box.low + Point2(i + (j % 2 == 0 ? 0.25 : 0.75), j + 0.5);
       const bool is_free = std::none_of(given.begin(), given.end(), [&](const Point2& q) {
-        return (p - q).squaredNorm() < least_share * least_share * spacing * spacing;
+        return (p - q).squaredNorm() < least * least;
       });
       if (is_free && is_inside(loops, p)) points.push_back(p);
     }
@@ -106,7 +105,8 @@ std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, dou
   std::vector<OutlinePart> loops;
   std::vector<char> used(parts.size(), false);
   for (std::size_t first = 0; first < parts.size(); ++first) {
-    if (used[first]) continue;
+    // A part that is all within the tolerance is no loop: its neighbours join over it.
+    if (used[first] || length(parts[first].from) <= tolerance) continue;
     used[first] = true;
     OutlinePart loop = parts[first];
     while ((loop.from.back() - loop.from.front()).norm() > tolerance) {
@@ -146,12 +146,28 @@ struct SectionOutline {
   std::vector<std::vector<int>> loops;
 };
 
-SectionOutline outline_of(const std::vector<OutlinePart>& loops, double spacing) {
+/// Lengths in a section are measured by the spacing, and rounded to far less than that, so that a
+/// solid that is turned or scaled is triangulated alike.
+constexpr double lattice = 1.0 / (1 << 24);
+
+Polyline in_spacings(Polyline points, double spacing) {
+  for (Point2& p : points) p = on_lattice(p / spacing, lattice);
+  return points;
+}
+
+std::vector<OutlinePart> in_spacings(std::vector<OutlinePart> loops, double spacing) {
+  for (OutlinePart& l : loops)
+    l = {in_spacings(std::move(l.from), spacing), in_spacings(std::move(l.to), spacing)};
+  return loops;
+}
+
+/// Lengths in spacings.
+SectionOutline outline_of(const std::vector<OutlinePart>& loops) {
   if (loops.empty())
     throw InvalidMeshError("imprint", "The outline of the section does not close.", {}, {});
   SectionOutline out;
   for (const OutlinePart& loop : loops) {
-    const OutlinePart fine = refined(loop, spacing);
+    const OutlinePart fine = refined(loop);
     out.loops.emplace_back();
     for (std::size_t i = 0; i < fine.from.size(); ++i) {
       out.loops.back().push_back(out.mesh.n_nodes());
@@ -185,12 +201,16 @@ Point2 image_in(const PlanarMesh& mesh, const std::vector<Point2>& images, const
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
                                    const std::vector<Point2>& points, double spacing,
                                    const Context& context) {
-  SectionOutline section = outline_of(loops, spacing);
+  const std::vector<OutlinePart> scaled = in_spacings(loops, spacing);
+  SectionOutline section = outline_of(scaled);
   PlanarMesh& mesh = section.mesh;
-  mesh.points.insert(mesh.points.end(), points.begin(), points.end());
-  add_grid(loops, spacing, mesh.points);
-  for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
-  const std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
+  for (const Point2& p : in_spacings(points, spacing)) mesh.points.push_back(p);
+  add_grid(scaled, mesh.points);
+  const auto triangles = constrained_delaunay(mesh.points, section.loops);
+  for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
+    mesh.add_cell(t);
+  std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
+  for (Point2& p : all) p *= spacing;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
 }
 
@@ -199,9 +219,10 @@ namespace {
 std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
                                const std::vector<Point2>& points, double spacing,
                                const Context& context) {
-  SectionOutline section = outline_of(loops, spacing);
+  const std::vector<OutlinePart> scaled = in_spacings(loops, spacing);
+  SectionOutline section = outline_of(scaled);
   PlanarMesh& mesh = section.mesh;
-  add_grid(loops, spacing, mesh.points);
+  add_grid(scaled, mesh.points);
   const auto triangles = constrained_delaunay(mesh.points, section.loops);
   for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
     mesh.add_cell(t);
@@ -209,7 +230,7 @@ std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
   options.poor = -1.0;
   const std::vector<Point2> images = map_planar(mesh, section.images, options, context).points;
   std::vector<Point2> out;
-  for (const Point2& p : points) out.push_back(image_in(mesh, images, p));
+  for (const Point2& p : points) out.push_back(spacing * image_in(mesh, images, p / spacing));
   return out;
 }
 

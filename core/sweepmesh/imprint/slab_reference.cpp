@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "sweepmesh/imprint/leaning_walls.h"
 #include "sweepmesh/imprint/mean_value_field.h"
 #include "sweepmesh/imprint/section_map.h"
 
@@ -96,12 +97,14 @@ class SlabWalker {
     });
     MeanValueField field(seen_.coincidence);
     for (const OutlinePart& part : parts) field.add(part.from, part.to);
-    const std::set<FaceId> free_faces = free_leaning_faces(level, level == high);
+    const std::set<FaceId> free_faces =
+        free_leaning_faces(model_, walls_, out_.curves, panels_, is_upright_, level, level == high);
     std::vector<ReferenceCurve*> curves;
     for (ReferenceCurve& c : out_.curves)
       if (walls_.level[c.edge.index] == level) {
         refine(parts, c);
-        lean_halfway(free_faces, level, level == high, c);
+        const FaceId wall = (level == high ? walls_.above : walls_.below)[c.edge.index];
+        if (free_faces.contains(wall)) lean_halfway(wall, panels_, level, level == high, c);
         curves.push_back(&c);
       }
     move(low, high, level, parts, field, curves);
@@ -127,67 +130,21 @@ class SlabWalker {
     c = std::move(fine);
   }
 
-  /// Leaning linking faces that begin at a level (going away from the base) with nothing else
-  /// beside them there: no face ends at their edges, and whatever meets these is of such a face
-  /// too.
-  std::set<FaceId> free_leaning_faces(int level, bool upwards) const {
-    const auto& begins = upwards ? walls_.above : walls_.below;
-    const auto& ends = upwards ? walls_.below : walls_.above;
-    std::set<FaceId> out, tied;
-    for (const Panel& p : panels_) {
-      if ((upwards ? p.low : p.high) == level && !is_upright_[p.face.index]) out.insert(p.face);
-      if ((upwards ? p.high : p.low) == level) tied.insert(p.face);
-    }
-    std::map<VertexId, std::set<FaceId>> at;  // invalid ids stand for what is no such face
-    for (const ReferenceCurve& c : out_.curves) {
-      if (walls_.level[c.edge.index] != level) continue;
-      const FaceId f = ends[c.edge.index].is_valid() ? FaceId{} : begins[c.edge.index];
-      if (!f.is_valid()) tied.insert(begins[c.edge.index]);
-      for (const VertexId v : {model_.start(c.edge), model_.end(c.edge)}) at[v].insert(f);
-    }
-    for (const FaceId f : tied) out.erase(f);
-    for (bool changes = true; changes;) {
-      changes = false;
-      for (const auto& [v, faces] : at) {
-        if (std::ranges::all_of(faces, [&](FaceId f) { return out.contains(f); })) continue;
-        for (const FaceId f : faces) changes |= out.erase(f) > 0;
-      }
-    }
-    return out;
-  }
-
-  /// An edge of such a face is taken where the face is halfway to its other end, for the same
-  /// reason as base_height().
-  void lean_halfway(const std::set<FaceId>& free_faces, int level, bool upwards,
-                    ReferenceCurve& c) const {
-    const FaceId f = (upwards ? walls_.above : walls_.below)[c.edge.index];
-    if (!free_faces.contains(f)) return;
-    const Point2 middle = at_arc(c.points, length(c.points) / 2).point;
-    const Panel* panel = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Panel& p : panels_) {
-      if (p.face != f || (upwards ? p.low : p.high) != level) continue;
-      const double distance = nearest(seen_at(p, level), middle).distance;
-      if (distance >= least) continue;
-      least = distance;
-      panel = &p;
-    }
-    if (!panel) return;
-    const Polyline line = seen_at(*panel, level), half = panel->at(0.5);
-    for (Point2& x : c.points) x = at_position(half, nearest(line, x).position).point;
-  }
-
   /// Points on the outline, and outside of it, move with the field; those inside by the section's
   /// map.
   void move(int low, int high, int level, const std::vector<OutlinePart>& parts,
             const MeanValueField& field, const std::vector<ReferenceCurve*>& curves) {
     const auto loops = joined_loops(parts, 2 * seen_.coincidence);
     std::map<std::pair<double, double>, Point2> image;
+    const auto key = [&](const Point2& p) {
+      const Point2 rounded = on_lattice(p, seen_.lattice());
+      return std::pair(rounded.x(), rounded.y());
+    };
     std::vector<Point2> inside;
     const bool is_fixed = largest_move(parts) <= seen_.coincidence;
     for (const ReferenceCurve* c : curves)
       for (const Point2& p : c->points) {
-        const auto [place, is_new] = image.try_emplace({p.x(), p.y()}, p);
+        const auto [place, is_new] = image.try_emplace(key(p), p);
         if (!is_new) continue;
         if (const auto known = over_known_edges(c->edge, p))
           place->second = *known;
@@ -198,11 +155,10 @@ class SlabWalker {
       }
     if (!inside.empty()) {
       const std::vector<Point2> carried = carried_through(low, high, level, inside);
-      for (std::size_t i = 0; i < inside.size(); ++i)
-        image[{inside[i].x(), inside[i].y()}] = carried[i];
+      for (std::size_t i = 0; i < inside.size(); ++i) image[key(inside[i])] = carried[i];
     }
     for (ReferenceCurve* c : curves) {
-      for (Point2& p : c->points) p = image.at({p.x(), p.y()});
+      for (Point2& p : c->points) p = image.at(key(p));
       is_known_[c - out_.curves.data()] = true;
     }
   }
@@ -247,19 +203,33 @@ class SlabWalker {
       }
   }
 
+  /// n steps through the slab, and as many from what is seen at its other end to R.
   std::vector<Point2> carried_in_steps(int low, int high, int level, int n,
                                        std::vector<Point2> points) const {
     const double other_end = height_.at(level == high ? low : high);
     const double from = height_.at(level), to = low == base_ ? base_height() : other_end;
-    for (int i = 0; i <= n; ++i) {
-      const double here = from + (to - from) * i / n, there = from + (to - from) * (i + 1) / n;
-      const auto parts = outline(low, high, [&](std::size_t p) {
-        return OutlinePart{seen_at_height(panels_[p], here),
-                           i < n ? seen_at_height(panels_[p], there) : in_r_[p]};
-      });
-      if (largest_move(parts) > seen_.coincidence)
-        points =
-            carried_inside(joined_loops(parts, 2 * seen_.coincidence), points, size_, context_);
+    const auto at_step = [&](std::size_t p, int i) {
+      if (i <= n) return seen_at_height(panels_[p], from + (to - from) * i / n);
+      Polyline line = seen_at_height(panels_[p], to);
+      const double share = static_cast<double>(i - n) / n;
+      for (std::size_t k = 0; k < line.size(); ++k) line[k] += share * (in_r_[p][k] - line[k]);
+      return line;
+    };
+    const auto loops_at = [&](int i) {  // ends that meet at first belong together all the way
+      return joined_loops(
+          outline(low, high,
+                  [&](std::size_t p) {
+                    return OutlinePart{at_step(p, 0), i < 2 * n ? at_step(p, i) : in_r_[p]};
+                  }),
+          2 * seen_.coincidence);
+    };
+    std::vector<OutlinePart> here = loops_at(0);
+    for (int i = 1; i <= 2 * n; ++i) {
+      std::vector<OutlinePart> next = loops_at(i), step;
+      for (std::size_t l = 0; l < next.size(); ++l) step.push_back({here[l].to, next[l].to});
+      if (step.empty() || largest_move(step) > seen_.coincidence)
+        points = carried_inside(step, points, size_, context_);
+      here = std::move(next);
     }
     return points;
   }

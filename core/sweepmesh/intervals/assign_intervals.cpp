@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/interval_demands.h"
@@ -70,34 +69,103 @@ Intervals to_intervals(const IntervalDemands& demands, const CountSolution& solu
   return out;
 }
 
+/// The problems of all parts as one, in which tied edges have one number.
+struct JointProblem {
+  CountProblem problem;
+  std::vector<std::size_t> first;  ///< by part, and one more: its first unknown
+
+  JointProblem(const std::vector<IntervalPart>& parts, const std::vector<EqualCounts>& ties) {
+    for (const IntervalPart& part : parts) add(part.demands.problem);
+    first.push_back(problem.unknowns.size());
+    for (const EqualCounts& tie : ties) {
+      const int a = unknown(parts, tie.part, tie.edge);
+      const int b = unknown(parts, tie.other_part, tie.other_edge);
+      const std::string one = name_of(tie.edge), two = name_of(tie.other_edge);
+      problem.demand({CountProblem::Kind::equality,
+                      {{a, 1.0}, {b, -1.0}},
+                      0.0,
+                      {one, two},
+                      one + " must have the same mesh edges on both of its solids"});
+    }
+  }
+
+  CountSolution of_part(const CountSolution& all, std::size_t part) const {
+    CountSolution out = all;
+    out.values.assign(all.values.begin() + first[part], all.values.begin() + first[part + 1]);
+    return out;
+  }
+
+ private:
+  void add(const CountProblem& part) {
+    const int shift = static_cast<int>(problem.unknowns.size());
+    first.push_back(problem.unknowns.size());
+    problem.unknowns.insert(problem.unknowns.end(), part.unknowns.begin(), part.unknowns.end());
+    for (CountProblem::Demand d : part.demands) {
+      for (auto& term : d.terms) term.variable += shift;
+      problem.demand(std::move(d));
+    }
+  }
+
+  int unknown(const std::vector<IntervalPart>& parts, int part, EdgeId edge) const {
+    return static_cast<int>(first[part]) + parts[part].demands.edge[edge.index];
+  }
+};
+
+std::vector<SolvedIntervals> solved_parts(const std::vector<IntervalPart>& parts,
+                                          const JointProblem& joint,
+                                          const CountSolution& solution) {
+  std::vector<SolvedIntervals> out;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    CountSolution own = joint.of_part(solution, p);
+    out.push_back({to_intervals(parts[p].demands, own), std::move(own.values)});
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<SolvedIntervals> solve_together(std::vector<IntervalPart> parts,
+                                            const std::vector<EqualCounts>& ties,
+                                            Context& context) {
+  context.check(stage);
+  std::vector<Separation> separations;
+  for (IntervalPart& part : parts) {
+    separations.emplace_back(part.model, part.scheme, part.options.size);
+    separations.back().add_gaps(part.demands);
+  }
+  CountOptions how;
+  how.time_limit_seconds = parts.front().options.time_limit_seconds.value_or(unbounded);
+  const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
+  std::vector<SolvedIntervals> best;
+  for (int round = 0; round < max_rounds; ++round) {
+    context.report(static_cast<double>(round) / max_rounds, "Assigning numbers of mesh edges");
+    const JointProblem joint(parts, ties);
+    const CountSolution solution = solve_counts(joint.problem, how, context);
+    if (!solution.is_feasible) {
+      if (!best.empty()) {
+        for (SolvedIntervals& part : best) note_unmet(joint.problem, how, context, part.intervals);
+        break;
+      }
+      const Conflict conflict = described(joint.problem, solution.conflict);
+      throw SolverError(stage, conflict.sentence, conflict.entities);
+    }
+    best = solved_parts(parts, joint, solution);
+    how.explain = false;
+    int n_wrong = 0;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      IntervalPart& part = parts[p];
+      n_wrong += raise_for_areas(part.model, part.options, best[p].intervals.edge, part.demands) +
+                 separations[p].add_violated(joint.of_part(solution, p), part.demands);
+    }
+    if (n_wrong == 0) break;
+  }
+  return best;
+}
 
 SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, IntervalDemands demands,
                                 const IntervalOptions& options, Context& context) {
-  context.check(stage);
-  const Separation separation(model, scheme, options.size);
-  separation.add_gaps(demands);
-  CountOptions how;
-  how.time_limit_seconds = options.time_limit_seconds.value_or(unbounded);
-  const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
-  std::optional<SolvedIntervals> best;
-  for (int round = 0; round < max_rounds; ++round) {
-    context.report(static_cast<double>(round) / max_rounds, "Assigning numbers of mesh edges");
-    const CountSolution solution = solve_counts(demands.problem, how, context);
-    if (!solution.is_feasible) {
-      if (best) {
-        note_unmet(demands.problem, how, context, best->intervals);
-        break;
-      }
-      const Conflict conflict = described(demands.problem, solution.conflict);
-      throw SolverError(stage, conflict.sentence, conflict.entities);
-    }
-    best = {to_intervals(demands, solution), solution.values};
-    how.explain = false;
-    const int n_coarse = raise_for_areas(model, options, best->intervals.edge, demands);
-    if (separation.add_violated(solution, demands) + n_coarse == 0) break;
-  }
-  return std::move(*best);
+  return std::move(
+      solve_together({{model, scheme, options, std::move(demands)}}, {}, context).front());
 }
 
 Intervals assign_intervals(const Model& model, const Scheme& scheme, const IntervalOptions& options,

@@ -26,4 +26,20 @@ struct SolvedIntervals {
 SolvedIntervals solve_intervals(const Model& model, const Scheme& scheme, IntervalDemands demands,
                                 const IntervalOptions& options, Context& context);
 
+/// One of several solids whose numbers are found together.
+struct IntervalPart {
+  const Model& model;
+  const Scheme& scheme;
+  const IntervalOptions& options;
+  IntervalDemands demands;
+};
+/// Edges of two parts that get the same number: one edge where the solids share it.
+struct EqualCounts {
+  int part = 0, other_part = 0;
+  EdgeId edge, other_edge;
+};
+/// The same for all parts as one problem, their layers independent of each other; by part.
+std::vector<SolvedIntervals> solve_together(std::vector<IntervalPart> parts,
+                                            const std::vector<EqualCounts>& ties, Context& context);
+
 }  // namespace sweepmesh

@@ -52,23 +52,75 @@ CapLoops feet(const Model& model, FaceId source, const CapLoops& loops, FaceId t
   return out;
 }
 
+/// Both caps, whose loops have their nodes in the same order, those of the target against the way
+/// they run there.
+struct Ends {
+  FaceId source, target;
+  CapLoops source_loops, target_loops;
+};
+
+CapLoops turned_round(CapLoops loops) {
+  for (auto& loop : loops) std::reverse(loop.begin(), loop.end());
+  return loops;
+}
+
+/// In the order of the nodes of `cap`, which are among `from`: those of `to`.
+std::vector<CapNode> in_order_of(const CapMesh& cap, const CapLoops& from, const CapLoops& to) {
+  std::map<NodeId, CapNode> over;
+  for (std::size_t l = 0; l < from.size(); ++l)
+    for (std::size_t i = 0; i < from[l].size(); ++i) over.emplace(from[l][i].node, to[l][i]);
+  std::vector<CapNode> out;
+  for (const NodeId n : cap.boundary) out.push_back(over.at(n));
+  return out;
+}
+
+/// The other end of a cap whose mesh is given: its image, or, where it is given too, that.
+CapMesh other_end(const Model& model, const CapMesh& cap, FaceId face,
+                  const std::vector<CapNode>& boundary, const GivenBoundary& given, double size,
+                  const Context& context) {
+  const auto own = given.faces.find(face);
+  if (own == given.faces.end()) return map_cap(model, cap, face, boundary, size, context);
+  return same_mesh_on(model, cap, face, boundary, own->second, given.tolerance);
+}
+
+CapPair given_pair(const Model& model, const Ends& ends, const GivenBoundary& given, double size,
+                   const Context& context) {
+  const auto known = [&](FaceId face, const CapLoops& loops) {
+    return cap_with_mesh(model, face, loops, given.faces.at(face), size, given.tolerance, context);
+  };
+  if (given.faces.contains(ends.source)) {
+    const CapMesh source = known(ends.source, ends.source_loops);
+    const auto there = in_order_of(source, ends.source_loops, ends.target_loops);
+    return {source, other_end(model, source, ends.target, there, given, size, context)};
+  }
+  const CapMesh target = known(ends.target, turned_round(ends.target_loops));
+  const auto there = in_order_of(target, ends.target_loops, ends.source_loops);
+  return {other_end(model, target, ends.source, there, given, size, context), target};
+}
+
 }  // namespace
 
 BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
-                           const IntervalOptions& options, CellKind kind, Context& context) {
+                           const IntervalOptions& options, CellKind kind, Context& context,
+                           const GivenBoundary& given) {
   const FaceId source = only_face(scheme, FaceRole::source, "source");
   const FaceId target = only_face(scheme, FaceRole::target, "target");
   BoundaryMesh mesh;
-  const EdgeMesh edges =
-      mesh_edges(model, intervals, place_edge_nodes(model, intervals, options), mesh.surface);
+  EdgeNodes nodes = place_edge_nodes(model, intervals, options);
+  take_edges(given, nodes);
+  const EdgeMesh edges = mesh_edges(model, intervals, nodes, mesh.surface);
   mesh_linking_faces(model, scheme, intervals, edges, context, mesh.surface);
+  take_linking_faces(scheme, given, mesh.surface);
   mesh.columns = linking_columns(mesh.surface);
   auto column_at = columns_at_nodes(mesh.columns, mesh.surface.n_nodes());
 
   const CapLoops loops = cap_loops(model, source, edges.edge, edges.parameters.t);
   const CapLoops partner = feet(model, source, loops, target, edges, mesh.columns, column_at);
+  const Ends ends{source, target, loops, partner};
   const auto [upper, lower] =
-      mesh_cap_pair(model, source, loops, target, partner, options.size, kind, context);
+      given.faces.contains(source) || given.faces.contains(target)
+          ? given_pair(model, ends, given, options.size, context)
+          : mesh_cap_pair(model, source, loops, target, partner, options.size, kind, context);
   const std::vector<NodeId> up = add_cap(upper, mesh.surface);
   const std::vector<NodeId> down = add_cap(lower, mesh.surface);
   add_runs_between(upper, up, down, 0, mesh.surface.k[up.front().index], column_at, mesh);

@@ -8,6 +8,7 @@
 #include "sweepmesh/intervals/interval_options.h"
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
+#include "sweepmesh/pipeline/given_boundary.h"
 #include "sweepmesh/scheme/scheme.h"
 #include "sweepmesh/surface/cap_mesh.h"
 #include "sweepmesh/surface/quad_mesher.h"
@@ -22,9 +23,12 @@ struct BoundaryMesh {
 };
 
 /// One source and one target: grids on the linking faces, a mesh of `kind` on the source, its image
-/// on the target. Throws InputError for a scheme with more caps, and what the surface stage throws.
+/// on the target. What is given is taken over; where that is one cap, the other is its image; where
+/// it is both, they must be the same mesh. Throws InputError for a scheme with more caps, and what
+/// the surface stage throws.
 BoundaryMesh mesh_boundary(const Model& model, const Scheme& scheme, const Intervals& intervals,
-                           const IntervalOptions& options, CellKind kind, Context& context);
+                           const IntervalOptions& options, CellKind kind, Context& context,
+                           const GivenBoundary& given = {});
 
 /// The columns of the linking faces' nodes.
 std::vector<ColumnNodes> linking_columns(const SurfaceMesh& surface);

@@ -29,23 +29,26 @@ class BoundaryMesher {
  public:
   BoundaryMesher(const Model& model, const Scheme& scheme, const Imprint& imprint,
                  const ImprintCounts& counts, const IntervalOptions& options, CellKind kind,
-                 Context& context)
+                 Context& context, const GivenBoundary& given)
       : model_(model),
         scheme_(scheme),
         imprint_(imprint),
         counts_(counts),
         options_(options),
         kind_(kind),
-        context_(context) {}
+        context_(context),
+        given_(given) {}
 
   BoundaryMesh run() {
-    EdgeNodes nodes = place_imprinted_nodes(model_, imprint_, counts_, options_);
-    space_by_levels(model_, scheme_, counts_.intervals, options_, nodes);
+    EdgeNodes nodes = place_imprinted_nodes(model_, scheme_, imprint_, counts_, options_);
+    take_edges(given_, nodes);
     edges_ = mesh_edges(model_, counts_.intervals, nodes, out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);
     if (!options_.sweep_bias) space_by_levels(model_, scheme_, options_.size, out_.surface);
-    base_ = mesh_base(model_, imprint_, counts_.edge, options_.size, kind_, context_);
+    take_linking_faces(scheme_, given_, out_.surface);
+    base_ = mesh_base_edges(imprint_, counts_.edge);
     find_base_nodes();
+    base_ = mesh_base(model_, imprint_, counts_.edge, options_.size, kind_, context_, find_given());
     make_columns();
     add_linking_columns();
     for (const FaceId f : model_.faces())
@@ -85,6 +88,67 @@ class BoundaryMesher {
       }
     }
     base_of_.resize(out_.surface.n_nodes(), -1);
+  }
+
+  // --- given caps --------------------------------------------------------------------------------
+
+  GivenPatches find_given() {
+    GivenPatches out;
+    for (const auto& [cap, mesh] : given_.faces)
+      if (is_cap(scheme_.face_role[cap.index])) {
+        const int patch = only_patch_of(cap);
+        if (!out.emplace(patch, given_patch(cap, mesh, patch)).second)
+          refuse_given(cap, "its other end has a mesh from another solid");
+        given_cap_[patch] = cap;
+      }
+    return out;
+  }
+
+  [[noreturn]] void refuse_given(FaceId cap, const std::string& why) const {
+    throw InvalidMeshError(
+        "surface",
+        name_of(cap) + " cannot take the mesh of the solid that touches it: " + why + ".",
+        {name_of(cap)}, {});
+  }
+
+  int only_patch_of(FaceId cap) const {
+    if (is_divided(imprint_, cap)) refuse_given(cap, "what lies over or under it divides it");
+    int patch = 0;
+    while (!is_covered(patch, cap)) ++patch;
+    return patch;
+  }
+
+  /// In the order of the patch's loops, which run around a target the other way than it sees them.
+  GivenPatch given_patch(FaceId cap, const FaceMesh& mesh, int patch) const {
+    std::map<int, Point3> at;  // by base node
+    for (const auto& loop : cap_loops(model_, cap, edges_.edge, edges_.parameters.t))
+      for (const CapNode& n : loop) at.emplace(base_of_[n.node.index], n.point);
+    GivenPatch out;
+    for (const int b : loop_nodes(base_, imprint_.patches[patch])) {
+      const auto point = at.find(b);
+      if (point == at.end()) refuse_given(cap, "a curve from elsewhere runs through it");
+      out.points.push_back(point->second);
+    }
+    const bool is_source = scheme_.face_role[cap.index] == FaceRole::source;
+    out.cells =
+        numbered_from(out.points, is_source ? mesh : seen_from_behind(mesh), given_.tolerance);
+    out.points.insert(out.points.end(), out.cells.inner.begin(), out.cells.inner.end());
+    return out;
+  }
+
+  /// Where a cap's mesh is given, its inner nodes go there.
+  void move_to_given(FaceId cap, const CapBase& base, CapMesh& image) const {
+    for (const auto& [patch, its_cap] : given_cap_) {
+      if (its_cap != cap) continue;
+      const FaceMesh& mesh = given_.faces.at(cap);
+      const GivenPatch given = given_patch(cap, mesh, patch);
+      for (std::size_t n = 0; n < base.base_node.size(); ++n) {
+        const int inner = base.base_node[n] - base_.first_inner[patch];
+        if (inner < 0 || inner >= static_cast<int>(given.cells.inner.size())) continue;
+        image.points[n] = given.cells.inner[inner];
+        image.uv[n] = model_.project(cap, image.points[n]);
+      }
+    }
   }
 
   // --- columns -----------------------------------------------------------------------------------
@@ -166,8 +230,9 @@ class BoundaryMesher {
     context_.check("surface");
     const bool is_source = scheme_.face_role[cap.index] == FaceRole::source;
     const CapBase base = base_of_cap(cap, is_source);
-    const CapMesh image = map_cap(model_, base.mesh, cap, base.nodes, options_.size, context_,
-                                  is_source ? Facing::same : Facing::opposite);
+    CapMesh image = map_cap(model_, base.mesh, cap, base.nodes, options_.size, context_,
+                            is_source ? Facing::same : Facing::opposite);
+    move_to_given(cap, base, image);
     const std::vector<NodeId> nodes = add_cap(image, out_.surface);
     const int k = k_of(cap);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -247,9 +312,11 @@ class BoundaryMesher {
   const IntervalOptions& options_;
   const CellKind kind_;
   Context& context_;
+  const GivenBoundary& given_;
   BoundaryMesh out_;
   EdgeMesh edges_;
   BaseMesh base_;
+  std::map<int, FaceId> given_cap_;            ///< by patch
   std::vector<int> base_of_;                   ///< by surface node; -1 inside linking faces
   std::vector<std::vector<LayerRange>> over_;  ///< by base node
 };
@@ -259,8 +326,16 @@ class BoundaryMesher {
 BoundaryMesh mesh_imprinted_boundary(const Model& model, const Scheme& scheme,
                                      const Imprint& imprint, const ImprintCounts& counts,
                                      const IntervalOptions& options, CellKind kind,
-                                     Context& context) {
-  return BoundaryMesher(model, scheme, imprint, counts, options, kind, context).run();
+                                     Context& context, const GivenBoundary& given) {
+  return BoundaryMesher(model, scheme, imprint, counts, options, kind, context, given).run();
+}
+
+bool is_divided(const Imprint& imprint, FaceId cap) {
+  const auto covers = [&](const Patch& p) {
+    return std::ranges::any_of(p.runs,
+                               [&](const Run& r) { return r.target == cap || r.source == cap; });
+  };
+  return std::ranges::count_if(imprint.patches, covers) > 1;
 }
 
 }  // namespace sweepmesh

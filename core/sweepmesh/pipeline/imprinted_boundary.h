@@ -12,10 +12,14 @@ namespace sweepmesh {
 /// columns over the base nodes and the runs over its cells. Every patch's cells appear on its
 /// target and on its source, node over node. Throws what the surface stage throws, and
 /// InvalidMeshError where the columns of a linking face and those of the base mesh do not agree,
-/// naming the face.
+/// naming the face. What is given is taken over; a given cap must be one patch, or InvalidMeshError
+/// names it.
 BoundaryMesh mesh_imprinted_boundary(const Model& model, const Scheme& scheme,
                                      const Imprint& imprint, const ImprintCounts& counts,
                                      const IntervalOptions& options, CellKind kind,
-                                     Context& context);
+                                     Context& context, const GivenBoundary& given = {});
+
+/// Whether several patches cover a cap: then its mesh cannot be given.
+bool is_divided(const Imprint& imprint, FaceId cap);
 
 }  // namespace sweepmesh

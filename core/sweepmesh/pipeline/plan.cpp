@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <set>
 
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/imprint_counts.h"
@@ -52,10 +53,35 @@ std::vector<Points> points_of(const Model& model, const EdgeNodes& nodes) {
   return out;
 }
 
+/// Seams of caps have no mesh edges where no patch ends at them (`used`): the mesh passes over
+/// them.
+void forget_seams(const Scheme& scheme, const std::set<EdgeId>& used, SweepPlan& plan) {
+  for (std::size_t e = 0; e < plan.edge_nodes.size(); ++e) {
+    if (scheme.edge_role[e] != EdgeRole::none || used.contains(EdgeId{e})) continue;
+    if (plan.intervals.edge[e] <= 1) continue;
+    plan.intervals.edge[e] = 0;
+    plan.edge_nodes[e].resize(0, 3);
+  }
+}
+
+std::set<EdgeId> edges_of(const Shell& shell) {
+  std::set<EdgeId> out;
+  for (const ShellEdge& e : shell.edges) out.insert({e.high.edge, e.low.edge});
+  return out;
+}
+
+std::set<EdgeId> edges_of(const Model& model, const Imprint& imprint) {
+  std::set<EdgeId> out;
+  for (const EdgeId e : model.edges())
+    if (!imprint.chain[e.index].empty()) out.insert(e);
+  return out;
+}
+
 void plan_one_to_one(const Model& model, const Scheme& scheme, const IntervalOptions& options,
                      Context& context, SweepPlan& plan) {
   plan.intervals = assign_intervals(model, scheme, options, context);
   plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+  forget_seams(scheme, {}, plan);
 }
 
 /// Nodes on cuts through the caps belong to no edge and are left out.
@@ -64,6 +90,7 @@ void plan_shell(const Model& model, const Scheme& scheme, const IntervalOptions&
   const Shell shell = find_shell(model, scheme, context);
   plan.intervals = count_shell(model, scheme, shell, options, context).intervals;
   plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
+  forget_seams(scheme, edges_of(shell), plan);
 }
 
 void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fraction,
@@ -72,7 +99,9 @@ void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fract
   const Imprint imprint = imprint_caps(model, scheme, how, context);
   const ImprintCounts counts = count_imprint(model, scheme, imprint, options, context);
   plan.intervals = counts.intervals;
-  plan.edge_nodes = points_of(model, place_imprinted_nodes(model, imprint, counts, options));
+  plan.edge_nodes =
+      points_of(model, place_imprinted_nodes(model, scheme, imprint, counts, options));
+  forget_seams(scheme, edges_of(model, imprint), plan);
 }
 
 /// Of the best scheme of plan.assessment.

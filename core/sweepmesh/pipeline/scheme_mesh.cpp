@@ -12,6 +12,7 @@
 #include "sweepmesh/pipeline/imprinted_boundary.h"
 #include "sweepmesh/pipeline/second_order_on_model.h"
 #include "sweepmesh/pipeline/shell_boundary.h"
+#include "sweepmesh/pipeline/sliding_nodes.h"
 #include "sweepmesh/volume/place.h"
 
 namespace sweepmesh {
@@ -39,20 +40,15 @@ std::vector<std::string> faces_of(const BoundaryMesh& boundary, const std::vecto
   return out;
 }
 
-BoundaryMesh without_overlaps(BoundaryMesh boundary) {
-  const std::vector<int> runs = overlapping_runs(boundary.runs);
-  if (!runs.empty())
-    throw InvalidMeshError("surface",
-                           std::to_string(runs.size()) +
-                               " cells of the caps' mesh lie over each other; try another size.",
-                           faces_of(boundary, runs), {});
-  return boundary;
-}
-
-VolumeMesh fill(const BoundaryMesh& boundary, Context& context) {
+VolumeMesh fill(const Model& model, const BoundaryMesh& boundary, const std::set<FaceId>& held,
+                Context& context) {
   Assembly assembly = assemble(boundary.surface, boundary.columns, boundary.runs);
+  PlacementOptions options;
+  MovableNodes movable = movable_nodes(model, boundary.surface, assembly, held);
+  options.sliding = std::move(movable.sliding);
+  options.curved = std::move(movable.curved);
   try {
-    place_interior(assembly.extrusion, assembly.fixed, assembly.points, {}, context);
+    place_interior(assembly.extrusion, assembly.fixed, assembly.points, options, context);
   } catch (const InvalidMeshError& e) {
     throw InvalidMeshError(e.stage(), e.what(),
                            faces_at_elements(boundary.surface, assembly, e.elements()),
@@ -77,22 +73,16 @@ class SchemeMesher {
         scheme_(scheme),
         options_(options),
         intervals_(interval_options(model, options, size)),
-        kind_(options.element == ElementKind::hex ? CellKind::quad : CellKind::triangle),
+        kind_(cells_of(options.element)),
         clock_(clock),
         context_(context) {}
 
   SchemeMesh run() {
     const BoundaryMesh boundary = mesh_boundary();
-    forget_unused_edges(boundary, out_.intervals);
-    context_.report(0.6, "Placing interior nodes");
-    out_.mesh = clock_.run("place", [&] {
-      VolumeMesh mesh = fill(boundary, context_);
-      if (options_.order == 2) add_mid_nodes_on(model_, mesh, context_, out_.warnings);
-      return mesh;
-    });
-    if (!out_.intervals.is_optimal)
-      out_.warnings.push_back("The interval solver reached its limit; its best solution is used.");
-    return std::move(out_);
+    SchemeMesh filled =
+        fill_boundary(model_, boundary, std::move(out_.intervals), {}, options_, clock_, context_);
+    filled.warnings.insert(filled.warnings.begin(), out_.warnings.begin(), out_.warnings.end());
+    return filled;
   }
 
  private:
@@ -178,6 +168,37 @@ class SchemeMesher {
 SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                        double size, StageClock& clock, Context& context) {
   return SchemeMesher(model, scheme, options, size, clock, context).run();
+}
+
+BoundaryMesh without_overlaps(BoundaryMesh boundary) {
+  const std::vector<int> runs = overlapping_runs(boundary.runs);
+  if (!runs.empty())
+    throw InvalidMeshError("surface",
+                           std::to_string(runs.size()) +
+                               " cells of the caps' mesh lie over each other; try another size.",
+                           faces_of(boundary, runs), {});
+  return boundary;
+}
+
+SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Intervals intervals,
+                         const std::set<FaceId>& held, const SweepOptions& options,
+                         StageClock& clock, Context& context) {
+  SchemeMesh out;
+  forget_unused_edges(boundary, intervals);
+  context.report(0.6, "Placing interior nodes");
+  out.mesh = clock.run("place", [&] {
+    VolumeMesh mesh = fill(model, boundary, held, context);
+    if (options.order == 2) add_mid_nodes_on(model, mesh, context, out.warnings);
+    return mesh;
+  });
+  if (!intervals.is_optimal)
+    out.warnings.push_back("The interval solver reached its limit; its best solution is used.");
+  out.intervals = std::move(intervals);
+  return out;
+}
+
+CellKind cells_of(ElementKind element) {
+  return element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
 }
 
 bool is_one_to_one(const Scheme& scheme) {

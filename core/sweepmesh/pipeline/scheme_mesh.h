@@ -1,10 +1,12 @@
 // One scheme of a solid, meshed.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "sweepmesh/intervals/intervals.h"
+#include "sweepmesh/pipeline/boundary.h"
 #include "sweepmesh/pipeline/stage_clock.h"
 #include "sweepmesh/pipeline/sweep_options.h"
 #include "sweepmesh/volume/volume_mesh.h"
@@ -21,6 +23,16 @@ struct SchemeMesh {
 /// the boundary and places the interior, with elements of `size`. Throws the stages' errors.
 SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                        double size, StageClock& clock, Context& context);
+
+// Its steps, for solids that are meshed together.
+/// The same mesh; throws InvalidMeshError where cells of caps lie over each other.
+BoundaryMesh without_overlaps(BoundaryMesh boundary);
+/// The volume within a boundary; the meshes of the faces `held` stay as they are.
+SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Intervals intervals,
+                         const std::set<FaceId>& held, const SweepOptions& options,
+                         StageClock& clock, Context& context);
+/// The cells of caps.
+CellKind cells_of(ElementKind element);
 
 bool is_one_to_one(const Scheme& scheme);
 

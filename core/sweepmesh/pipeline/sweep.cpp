@@ -56,13 +56,14 @@ class SchemeTrier {
               SweepResult& result)
       : model_(model), options_(options), clock_(clock), context_(context), result_(result) {}
 
-  /// As with_some_scheme, and where that fails once more with other sizes near the wished one: then
-  /// nodes lie elsewhere, and narrow places get other numbers of cells. The first failure counts.
-  bool at_some_size() {
+  /// As with_some_scheme, and where that fails with other sizes near the wished one: then
+  /// nodes lie elsewhere, and narrow places get other numbers of cells. `shares` of the wished
+  /// size, that first. The first failure counts.
+  bool at_some_size(const std::vector<double>& shares = {1.0, 0.85, 1.2, 0.7}) {
     const SweepResult begun = result_;
     std::optional<Assessment> refused;
     std::exception_ptr first_error;
-    for (const double share : {1.0, 0.85, 1.2, 0.7}) try {
+    for (const double share : shares) try {
         result_.assessment = begun.assessment;
         result_.warnings = begun.warnings;
         result_.size = share * begun.size;
@@ -173,7 +174,7 @@ bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& 
   });
   if (!strained.assessment.is_sweepable()) return false;
   try {
-    if (!SchemeTrier(model, options, clock, context, strained).at_some_size()) return false;
+    if (!SchemeTrier(model, options, clock, context, strained).at_some_size({1.0})) return false;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {

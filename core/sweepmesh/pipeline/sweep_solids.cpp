@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/merge_meshes.h"
+#include "sweepmesh/pipeline/touching_sweep.h"
 
 namespace sweepmesh {
 namespace {
@@ -22,37 +24,9 @@ void merge_scheme(const Scheme& from, Scheme& into) {
   into.cost += from.cost;
 }
 
-template <class Item>
-void append_shifted(const std::vector<Item>& from, int shift, std::vector<Item>& into) {
-  for (Item item : from) {
-    if constexpr (std::is_same_v<Item, int>)
-      item += shift;
-    else
-      for (int& node : item) node += shift;
-    into.push_back(item);
-  }
-}
-
 template <class T>
 void append(const std::vector<T>& from, std::vector<T>& into) {
   into.insert(into.end(), from.begin(), from.end());
-}
-
-void append_mesh(const VolumeMesh& from, VolumeMesh& into) {
-  const int shift = static_cast<int>(into.points.rows());
-  into.points.conservativeResize(shift + from.points.rows(), 3);
-  into.points.bottomRows(from.points.rows()) = from.points;
-  append_shifted(from.hexahedra, shift, into.hexahedra);
-  append_shifted(from.prisms, shift, into.prisms);
-  append_shifted(from.hexahedron_mid_nodes, shift, into.hexahedron_mid_nodes);
-  append_shifted(from.prism_mid_nodes, shift, into.prism_mid_nodes);
-  append_shifted(from.boundary_nodes, shift, into.boundary_nodes);
-  append_shifted(from.boundary_mid_nodes, shift, into.boundary_mid_nodes);
-  const int boundary_shift = into.boundary_offset.back();
-  for (std::size_t c = 1; c < from.boundary_offset.size(); ++c)
-    into.boundary_offset.push_back(from.boundary_offset[c] + boundary_shift);
-  append(from.boundary_face, into.boundary_face);
-  append(from.owner, into.owner);
 }
 
 void append_intervals(const Intervals& from, Intervals& into) {
@@ -65,25 +39,19 @@ void append_intervals(const Intervals& from, Intervals& into) {
   into.is_optimal = into.is_optimal && from.is_optimal;
 }
 
-bool boxes_touch(const Model& a, const Model& b) {
-  const auto [low_a, high_a] = a.bounding_box();
-  const auto [low_b, high_b] = b.bounding_box();
-  const double gap = a.tolerances().point + b.tolerances().point;
-  return ((low_a - high_b).array() <= gap).all() && ((low_b - high_a).array() <= gap).all();
-}
-
-bool any_touch(const std::vector<Model>& solids) {
-  for (std::size_t i = 0; i < solids.size(); ++i)
-    for (std::size_t j = i + 1; j < solids.size(); ++j)
-      if (boxes_touch(solids[i], solids[j])) return true;
-  return false;
-}
-
 void append_result(SweepResult&& part, SweepResult& all) {
-  append_mesh(part.mesh, all.mesh);
   append_intervals(part.intervals, all.intervals);
   append(part.warnings, all.warnings);
   for (const auto& [stage, seconds] : part.seconds) all.seconds[stage] += seconds;
+}
+
+void warn_of_overlaps(const std::vector<Model>& solids, const Contacts& contacts,
+                      std::vector<std::string>& warnings) {
+  for (const Overlap& o : overlapping_faces(solids, contacts))
+    warnings.push_back(name_of(o.face) + " of solid " + std::to_string(o.solid + 1) + " and " +
+                       name_of(o.other_face) + " of solid " + std::to_string(o.other + 1) +
+                       " lie on each other in part, and the meshes share no nodes there; divide "
+                       "the solids at each other with BooleanFragments to get one mesh.");
 }
 
 }  // namespace
@@ -142,24 +110,24 @@ SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
                          const SweepOptions& options, Context& context) {
   if (solids.size() == 1) return sweep(solids.front(), picks, options, context);
   check_pairs(solids, picks);
-  SweepOptions each = options;
-  if (!each.size) each.size = smallest_default_size(solids);
+  std::vector<Picks> own;
+  for (const Model& solid : solids) own.push_back(picks_on(solid, picks));
   SweepResult all;
-  all.size = *each.size;
+  all.size = options.size.value_or(smallest_default_size(solids));
+  const Contacts contacts = find_contacts(solids);
+  TouchingSweep touching = sweep_touching(solids, own, options, all.size, contacts, context);
   std::vector<Assessment> verdicts;
-  for (const Model& solid : solids) {
-    SweepResult part = sweep(solid, picks_on(solid, picks), each, context);
+  std::vector<VolumeMesh> meshes;
+  for (SweepResult& part : touching.parts) {
     verdicts.push_back(std::move(part.assessment));
+    meshes.push_back(std::move(part.mesh));
     append_result(std::move(part), all);
   }
   all.assessment = merged_verdicts(verdicts);
-  if (!all.assessment.is_sweepable()) {
-    all.mesh = {};
-    return all;
-  }
-  if (any_touch(solids))
-    all.warnings.push_back(
-        "The solids are meshed one by one: where they touch they share no nodes.");
+  if (!all.assessment.is_sweepable()) return all;
+  all.mesh = merged(std::move(meshes), contacts, touching.met, merge_tolerance(solids));
+  append(touching.warnings, all.warnings);
+  warn_of_overlaps(solids, contacts, all.warnings);
   all.quality = measure_quality(all.mesh, {}, context);
   return all;
 }

@@ -1,4 +1,4 @@
-// Shapes of several solids: each is swept by itself, and their meshes are put side by side.
+// Shapes of several solids: each has a sweep of its own, and where two touch their meshes are one.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,11 @@ std::vector<Model> solids_of(const Model& model);
 
 /// Sweeps every solid; picks go to the solid that has the face (InputError where none has it). One
 /// size for all: where none is given, the default size of the smallest solid. The result is that of
-/// one shape: the best schemes merged into one, meshes one after the other. Meshes of solids that
-/// touch share no nodes; a warning says so. If one solid cannot be swept, the verdict is that, its
-/// reasons name it, and no mesh is made. One solid: the same as sweep().
+/// one shape: the schemes merged into one, meshes one after the other, with common nodes where
+/// solids touch (touching_sweep.h); a warning names faces where that could not be had, and those
+/// that touch in part. Boundary cells are those of all faces, the common ones of two solids too: a
+/// face that both use once, faces that coincide both. If one solid cannot be swept, the verdict is
+/// that, its reasons name it, and no mesh is made. One solid: the same as sweep().
 SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
                          const SweepOptions& options, Context& context);
 

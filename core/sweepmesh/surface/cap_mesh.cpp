@@ -10,6 +10,7 @@
 
 #include "sweepmesh/surface/cap_map.h"
 #include "sweepmesh/surface/chart.h"
+#include "sweepmesh/surface/given_cells.h"
 #include "sweepmesh/surface/planar_pair.h"
 
 namespace sweepmesh {
@@ -186,6 +187,21 @@ CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, doub
     CapMesh cap = empty_source(face, chart, boundary);
     cap.plane = mesh_planar(chart->loops(), options_for(cap, size, kind), context);
     place_inside(model, *chart, cap);
+    return cap;
+  });
+}
+
+CapMesh cap_with_mesh(const Model& model, FaceId face, const CapLoops& boundary,
+                      const FaceMesh& mesh, double size, double tolerance, const Context& context) {
+  return naming({name_of(face)}, [&] {
+    const auto chart = make_chart(model, face, boundary, size, {}, context);
+    CapMesh cap = empty_source(face, chart, boundary);
+    const GivenCells given = numbered_from(cap.points, mesh, tolerance);
+    for (const Point3& p : given.inner) {
+      cap.points.push_back(p);
+      cap.uv.push_back(model.project(face, p));
+    }
+    cap.plane = laid_flat(given, cap.points, flattened(chart->loops()), cap.metric, context);
     return cap;
   });
 }

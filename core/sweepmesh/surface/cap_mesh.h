@@ -6,6 +6,7 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/surface/cap_boundary.h"
+#include "sweepmesh/surface/face_mesh.h"
 #include "sweepmesh/surface/planar_mesh.h"
 #include "sweepmesh/surface/quad_mesher.h"
 #include "sweepmesh/surface/surface_mesh.h"
@@ -35,6 +36,12 @@ PlanarQuality quality_in_space(const Model& model, const CapMesh& cap);
 /// counterclockwise. Errors are those of Chart and mesh_planar, naming the face.
 CapMesh mesh_cap(const Model& model, FaceId face, const CapLoops& boundary, double size,
                  CellKind kind, const Context& context);
+
+/// The cap whose mesh is given, as another solid has it on the same face: its nodes on the boundary
+/// are those of `boundary`, within `tolerance`. Throws InvalidMeshError naming the face where they
+/// are not.
+CapMesh cap_with_mesh(const Model& model, FaceId face, const CapLoops& boundary,
+                      const FaceMesh& mesh, double size, double tolerance, const Context& context);
 
 /// Which way a face looks, compared with the mesh that is carried to it: a target against its
 /// source, a source against a base mesh seen from above.

@@ -28,20 +28,23 @@ std::vector<int> colour_columns(const Extrusion& x, const CellsOfColumns& cells)
 
 struct FreeNode {
   int column, k;
+  Point3 normal = Point3::Zero();  ///< of the plane that it stays in, if any
 };
 
 /// Free nodes in sets that move at the same time.
 std::vector<std::vector<FreeNode>> independent_sets(const Extrusion& x,
                                                     const std::vector<char>& fixed,
-                                                    const CellsOfColumns& cells) {
+                                                    const CellsOfColumns& cells,
+                                                    const std::vector<SlidingNode>& sliding) {
   const std::vector<int> colour = colour_columns(x, cells);
   std::vector<std::vector<FreeNode>> sets;
   for (int c = 0; c < x.n_columns(); ++c)
     for (int k = x.k_low[c]; k <= x.k_high[c]; ++k) {
-      if (fixed[x.node(c, k)]) continue;
+      const SlidingNode* plane = find_sliding(sliding, x.node(c, k));
+      if (fixed[x.node(c, k)] && !plane) continue;
       const std::size_t set = 2 * colour[c] + (k - x.k_low[c]) % 2;
       if (sets.size() <= set) sets.resize(set + 1);
-      sets[set].push_back({c, k});
+      sets[set].push_back({c, k, plane ? plane->normal : Point3::Zero()});
     }
   return sets;
 }
@@ -54,7 +57,11 @@ struct Worth {
 class Mover {
  public:
   Mover(const Extrusion& x, const CellsOfColumns& cells, FreeNode at, Points& points)
-      : x_(x), points_(points), node_(x.node(at.column, at.k)), start_(points.row(node_)) {
+      : x_(x),
+        points_(points),
+        node_(x.node(at.column, at.k)),
+        start_(points.row(node_)),
+        normal_(at.normal) {
     for (int i = cells.offset[at.column]; i < cells.offset[at.column + 1]; ++i) {
       const int cell = cells.cell[i];
       if (x.cell_k_low[cell] < at.k && at.k <= x.cell_k_high[cell])
@@ -118,13 +125,13 @@ class Mover {
       g[d] -= worth().sum;
     }
     put(start_);
-    return g;
+    return g - g.dot(normal_) * normal_;
   }
 
   const Extrusion& x_;
   Points& points_;
   long node_;
-  Point3 start_;
+  Point3 start_, normal_;
   double shortest_ = std::numeric_limits<double>::infinity();
   std::vector<SweptElement> elements_;
   Worth before_;
@@ -136,7 +143,8 @@ void ascend_nodes(const Extrusion& extrusion, const std::vector<char>& fixed,
                   const AscentOptions& options, Points& points, ThreadTeam& team,
                   const Context& context) {
   const CellsOfColumns cells(extrusion);
-  const std::vector<std::vector<FreeNode>> sets = independent_sets(extrusion, fixed, cells);
+  const std::vector<std::vector<FreeNode>> sets =
+      independent_sets(extrusion, fixed, cells, options.sliding);
   const double floor = check_elements(extrusion, points, 0.0, team).min_scaled_jacobian;
   std::vector<double> length(fixed.size(), options.first_step);
   for (int sweep = 0; sweep < options.n_sweeps; ++sweep)

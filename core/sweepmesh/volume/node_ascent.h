@@ -13,13 +13,15 @@
 #include "sweepmesh/base/geometry.h"
 #include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/untangle.h"
 
 namespace sweepmesh {
 
 struct AscentOptions {
-  int n_sweeps = 4;           ///< over all free nodes, >= 0
-  double first_step = 0.2;    ///< in shortest edges at the node, > 0
-  double longest_step = 0.5;  ///< likewise
+  int n_sweeps = 4;                  ///< over all free nodes, >= 0
+  double first_step = 0.2;           ///< in shortest edges at the node, > 0
+  double longest_step = 0.5;         ///< likewise
+  std::vector<SlidingNode> sliding;  ///< ascending by node; fixed ones that move in a plane
 };
 
 /// Linear: about 100 scaled Jacobians a free node and sweep. Throws Cancelled.

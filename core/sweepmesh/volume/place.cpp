@@ -9,6 +9,7 @@
 #include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/cap_transition.h"
 #include "sweepmesh/volume/element_check.h"
+#include "sweepmesh/volume/improve.h"
 #include "sweepmesh/volume/layer_motion.h"
 #include "sweepmesh/volume/layered_solver.h"
 #include "sweepmesh/volume/node_ascent.h"
@@ -78,73 +79,20 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
 void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
                        const PlacementOptions& options, const std::vector<long>& inverted,
                        Points& points, ThreadTeam& team, const Context& context) {
-  if (options.sliding.empty()) {
-    const std::vector<long> hopeless = hopeless_elements(x, fixed, points, inverted);
-    if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
-  }
+  const std::vector<long> hopeless =
+      hopeless_elements(x, without_sliding(fixed, options.sliding), points, inverted);
+  if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
   UntangleOptions how;
   how.max_attempts = options.max_attempts;
+  // Boundaries that leave room for valid elements invert a few percent of them at first.
+  constexpr double many = 0.25;
+  constexpr int few_rounds = 6;
+  if (static_cast<double>(inverted.size()) > many * static_cast<double>(x.n_elements()))
+    how.energy.max_rounds = few_rounds;
   how.sliding = options.sliding;
   const std::vector<long> left =
       untangle(x, metric, fixed, points, how, inverted, team, context).remaining;
   if (!left.empty()) throw_invalid(left, "the mesh of the boundary leaves no room for them.");
-}
-
-/// Elements up to `threshold` that could be better: more than a little below what the boundary
-/// allows.
-std::vector<long> find_improvable(const Extrusion& x, const std::vector<char>& fixed,
-                                  const Points& points, double room,
-                                  const std::vector<long>& elements) {
-  if (elements.empty()) return {};
-  const ElementIndex index(x);
-  std::vector<long> out;
-  for (const long e : elements) {
-    const SweptElement element = index.element(e);
-    if (scaled_jacobian_of(x, points, element) + room <
-        bound_by_boundary(x, fixed, points, element))
-      out.push_back(e);
-  }
-  return out;
-}
-
-/// Improves the elements up to `threshold` where they can be; returns the least value then.
-double improve_poor(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
-                    const PlacementOptions& options, double threshold, int power, Points& points,
-                    PlacementReport& report, ThreadTeam& team, const Context& context) {
-  ElementCheck check = check_elements(x, points, threshold, team);
-  const double part = options.improve_at_most_part * static_cast<double>(x.n_elements());
-  const long most = std::max(options.improve_at_most, static_cast<long>(part));
-  const long n_poor = static_cast<long>(check.bad.size());
-  report.n_poor_before = std::max(report.n_poor_before, n_poor);
-  if (n_poor > most) return check.min_scaled_jacobian;
-  const double room = 0.25 * options.lift_within;
-  check.bad = find_improvable(x, fixed, points, room, check.bad);
-  if (check.bad.empty()) return check.min_scaled_jacobian;
-  UntangleOptions how;
-  how.threshold = threshold;
-  how.max_attempts = 1;
-  how.energy.power = power;
-  how.keeps_lengths = power > 1;
-  how.sliding = options.sliding;
-  untangle(x, metric, fixed, points, how, check.bad, team, context);
-  return check_elements(x, points, threshold, team).min_scaled_jacobian;
-}
-
-/// Poor elements first, then those near the least value, until they get no better.
-double improve(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
-               const PlacementOptions& options, double least, Points& points,
-               PlacementReport& report, ThreadTeam& team, const Context& context) {
-  constexpr int most_lifts = 4, even = 1, worst_first = 4;
-  if (least <= options.improve_up_to)
-    least = improve_poor(x, fixed, metric, options, options.improve_up_to, even, points, report,
-                         team, context);
-  for (int lift = 0; lift < most_lifts && least < options.lift_below; ++lift) {
-    const double before = least, threshold = least + options.lift_within;
-    least = improve_poor(x, fixed, metric, options, threshold, worst_first, points, report, team,
-                         context);
-    if (least < before + 0.25 * options.lift_within) break;
-  }
-  return least;
 }
 
 /// Whether layers are only interpolated between their ends: they may be improved even where the
@@ -171,11 +119,14 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
   }
   // Layers that are exact images of the caps stay so.
   if (!report.inverted.empty() || !may_improve) return;
-  const double least =
-      improve(x, fixed, metric, options, report.min_scaled_jacobian, points, report, team, context);
+  ImproveOptions improve = options.improve;
+  improve.sliding = options.sliding;
+  improve.curved = options.curved;
+  const double least = improve_elements(x, fixed, metric, improve, report.min_scaled_jacobian,
+                                        points, team, context);
   if (report.mean_scaled_jacobian < options.raise_mean_below &&
       x.n_elements() <= options.raise_at_most)
-    ascend_nodes(x, fixed, {}, points, team, context);
+    ascend_nodes(x, fixed, {.sliding = options.sliding}, points, team, context);
   else if (least == report.min_scaled_jacobian)
     return;
   set_quality(check_elements(x, points, 0.0, team), report);

@@ -8,7 +8,7 @@
 //   3. Where the caps' meshes differ, each block chooses over which layers one passes into the
 //      other (cap_transition.h).
 //   4. Elements are judged; where one is inverted, its neighbourhood is untangled.
-//      Then the worst ones are improved, and in small meshes all (node_ascent.h).
+//      Then the worst ones are improved (improve.h), and in small meshes all (node_ascent.h).
 #pragma once
 
 #include <vector>
@@ -16,6 +16,7 @@
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/base/geometry.h"
 #include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/improve.h"
 #include "sweepmesh/volume/placement_method.h"
 #include "sweepmesh/volume/untangle.h"
 #include "sweepmesh/volume/volume_mesh.h"
@@ -28,17 +29,9 @@ struct PlacementOptions {
   double negligible_residual = 1e-10;
   /// Factor by which the solver reduces its own residual, in (0, 1).
   double reduction = 1e-4;
-  /// Elements with a scaled Jacobian up to this are improved, once all are positive and if a
-  /// residual was solved for (layers that are exact images of the caps stay so); in 0..1.
-  double improve_up_to = 0.2;
-  /// While the least value is below the first number, elements within the second of it are improved
-  /// too, for as long as that helps; 0 and 0 switch it off.
-  double lift_below = 0.7, lift_within = 0.03;
-  /// Nothing is improved when there are more such elements than this number and than this part of
-  /// all: then the shape itself asks for them, there is nothing local to improve, and the time
-  /// would no longer be linear. Nor where the boundary alone makes them poor.
-  long improve_at_most = 1000;
-  double improve_at_most_part = 5e-4;
+  /// Once all elements are positive, and if a residual was solved for: layers that are exact images
+  /// of the caps stay so. Its `sliding` and `curved` are those below.
+  ImproveOptions improve;
   /// Where the mean scaled Jacobian is below this (and layers are no exact images of the caps),
   /// nodes are moved to raise it; 0..1, 0 switches it off. Not in meshes with more elements than
   /// `raise_at_most`: it takes a hundred times as long as the placement itself.
@@ -49,6 +42,8 @@ struct PlacementOptions {
   int max_attempts = 5;
   /// Fixed nodes that untangling and improving may move within a plane. Empty: none.
   std::vector<SlidingNode> sliding;
+  /// Fixed nodes that improving may move on curved faces. Empty: none.
+  CurvedNodes curved;
 };
 
 struct PlacementReport {
@@ -59,7 +54,6 @@ struct PlacementReport {
   /// one.
   std::vector<long> inverted;
   long n_inverted_before = 0;  ///< elements that had to be untangled
-  long n_poor_before = 0;      ///< elements that were to be improved
   double min_scaled_jacobian = 1.0, mean_scaled_jacobian = 1.0;
 };
 

@@ -4,93 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "sweepmesh/base/element_quality.h"
 #include "sweepmesh/volume/element_check.h"
 #include "sweepmesh/volume/element_index.h"
+#include "sweepmesh/volume/element_patches.h"
 
 namespace sweepmesh {
 namespace {
 
 using Numbers = std::vector<long>;
-
-void sort_unique(Numbers& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
-
-long position_in(const Numbers& sorted, long value) {
-  return std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin();
-}
-
-/// Nodes that move together, and the elements that they touch; both ascending.
-struct Patch {
-  Numbers free_nodes, elements;
-};
-
-class PatchFinder {
- public:
-  PatchFinder(const ElementIndex& index, const std::vector<char>& is_held)
-      : index_(index), is_held_(is_held) {}
-
-  /// Patches around `bad` elements; two patches share no element.
-  std::vector<Patch> find(Numbers bad, int rings) const {
-    for (int ring = 0; ring < rings; ++ring) bad = elements_around(nodes_of(bad));
-    Numbers nodes = nodes_of(bad);
-    std::erase_if(nodes, [&](long n) { return is_held_[n] != 0; });
-    return divide(nodes, elements_around(nodes));
-  }
-
- private:
-  Numbers nodes_of(const Numbers& elements) const {
-    Numbers nodes;
-    for (const long e : elements)
-      index_.for_nodes(index_.element(e), [&](long n) { nodes.push_back(n); });
-    sort_unique(nodes);
-    return nodes;
-  }
-  Numbers elements_around(const Numbers& nodes) const {
-    Numbers elements;
-    for (const long n : nodes) index_.for_elements(n, [&](long e) { elements.push_back(e); });
-    sort_unique(elements);
-    return elements;
-  }
-
-  /// Elements belong together when they share a free node.
-  std::vector<Patch> divide(const Numbers& nodes, const Numbers& elements) const {
-    Numbers root(elements.size());
-    std::iota(root.begin(), root.end(), 0L);
-    const auto find = [&](long i) {
-      while (root[i] != i) i = root[i] = root[root[i]];
-      return i;
-    };
-    Numbers first(nodes.size(), -1);
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-      index_.for_elements(nodes[n], [&](long e) {
-        const long i = find(position_in(elements, e));
-        if (first[n] < 0) first[n] = i;
-        const long j = find(first[n]);
-        root[std::max(i, j)] = std::min(i, j);
-      });
-    std::vector<Patch> patches;
-    std::vector<long> patch_of(elements.size(), -1);
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      long& p = patch_of[find(static_cast<long>(i))];
-      if (p < 0) {
-        p = static_cast<long>(patches.size());
-        patches.emplace_back();
-      }
-      patches[p].elements.push_back(elements[i]);
-    }
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-      patches[patch_of[find(first[n])]].free_nodes.push_back(nodes[n]);
-    return patches;
-  }
-
-  const ElementIndex& index_;
-  const std::vector<char>& is_held_;
-};
 
 /// Ideal corners of an element, from the intrinsic metric.
 class IdealElement {
@@ -142,7 +65,7 @@ struct PatchProblem {
   UnfoldProblem problem;
   Points x;
 
-  PatchProblem(const Patch& patch, const ElementIndex& index, const IdealElement& ideal,
+  PatchProblem(const ElementPatch& patch, const ElementIndex& index, const IdealElement& ideal,
                const std::vector<SlidingNode>& sliding, const Points& points) {
     Numbers held;
     for (const long e : patch.elements)
@@ -170,11 +93,9 @@ struct PatchProblem {
             ideal_volume += w.determinant();
             problem.corners.push_back({{local(o), local(a), local(b), local(c)}, w.inverse()});
           });
-    for (const SlidingNode& s : sliding) {
-      const long i = position_in(patch.free_nodes, s.node);
-      if (i < problem.n_free && patch.free_nodes[i] == s.node)
-        problem.sliding.emplace_back(static_cast<int>(i), s.normal);
-    }
+    for (int i = 0; i < problem.n_free; ++i)
+      if (const SlidingNode* s = find_sliding(sliding, patch.free_nodes[i]))
+        problem.sliding.emplace_back(i, s->normal);
     // Ideal elements fill the patch as it is.
     if (volume > 0.0)
       for (CornerTet& corner : problem.corners) corner.ideal *= std::cbrt(ideal_volume / volume);
@@ -204,7 +125,7 @@ Worth worth_of(const Extrusion& x, const ElementIndex& index, const Points& poin
 }
 
 void mend(const Extrusion& x, const BaseMetric& metric, const ElementIndex& index,
-          const Patch& patch, const UntangleOptions& options, const Context& context,
+          const ElementPatch& patch, const UntangleOptions& options, const Context& context,
           Points& points) {
   if (patch.free_nodes.empty()) return;
   const IdealElement ideal(x, metric, points, options.keeps_lengths);
@@ -236,23 +157,33 @@ std::array<long, 4> corner_nodes(const Extrusion& x, SweptElement e, int i, int 
 
 }  // namespace
 
+const SlidingNode* find_sliding(const std::vector<SlidingNode>& sliding, long node) {
+  const auto it = std::lower_bound(sliding.begin(), sliding.end(), node,
+                                   [](const SlidingNode& s, long n) { return s.node < n; });
+  return it != sliding.end() && it->node == node ? &*it : nullptr;
+}
+
+std::vector<char> without_sliding(std::vector<char> fixed,
+                                  const std::vector<SlidingNode>& sliding) {
+  for (const SlidingNode& s : sliding) fixed[s.node] = 0;
+  return fixed;
+}
+
 UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
                         const std::vector<char>& fixed, Points& points,
                         const UntangleOptions& options, const Numbers& elements, ThreadTeam& team,
                         const Context& context) {
   const ElementIndex index(extrusion);
-  std::vector<char> is_held = fixed;
-  for (const SlidingNode& s : options.sliding) is_held[s.node] = 0;
-  const PatchFinder finder(index, is_held);
+  const std::vector<char> is_held = without_sliding(fixed, options.sliding);
   UntangleReport report;
   report.remaining = elements;
   std::size_t last_size = 0;
   for (int rings = options.first_rings; report.n_attempts < options.max_attempts; rings *= 2) {
     if (report.remaining.empty()) break;
     ++report.n_attempts;
-    const std::vector<Patch> patches = finder.find(report.remaining, rings);
+    const std::vector<ElementPatch> patches = find_patches(index, is_held, report.remaining, rings);
     std::size_t size = 0;
-    for (const Patch& patch : patches) size += patch.elements.size();
+    for (const ElementPatch& patch : patches) size += patch.elements.size();
     if (size == last_size) break;  // rings have reached the ends of the mesh
     last_size = size;
     team.for_chunks(static_cast<long>(patches.size()), 1, [&](long p, long, long) {
@@ -260,13 +191,18 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
     });
     Numbers remaining;
     report.n_moved = 0;
-    for (const Patch& patch : patches) {
+    for (const ElementPatch& patch : patches) {
       report.n_moved += static_cast<long>(patch.free_nodes.size());
       for (const long e : patch.elements)
         if (!(scaled_jacobian_of(extrusion, points, index.element(e)) > options.threshold))
           remaining.push_back(e);
     }
     report.remaining = remaining;
+    // Where so much is left, more room has never helped, and it costs most.
+    constexpr double hopeless = 0.1;
+    if (static_cast<double>(remaining.size()) >
+        hopeless * static_cast<double>(extrusion.n_elements()))
+      break;
   }
   sort_unique(report.remaining);
   return report;

@@ -27,6 +27,12 @@ struct SlidingNode {
   Point3 normal = Point3::Zero();
 };
 
+/// The entry of a node in an ascending list, or null.
+const SlidingNode* find_sliding(const std::vector<SlidingNode>& sliding, long node);
+
+/// `fixed` without the nodes that may slide.
+std::vector<char> without_sliding(std::vector<char> fixed, const std::vector<SlidingNode>& sliding);
+
 struct UntangleOptions {
   double threshold = 0.0;  ///< elements with a scaled Jacobian up to this are to be mended
   int first_rings = 2;     ///< rings of elements around them that may move, >= 1
@@ -46,8 +52,8 @@ struct UntangleReport {
 };
 
 /// Moves free nodes of `points` until none of `elements` (those at or below the threshold, as
-/// check_elements lists them) is left, or attempts run out. A
-/// patch is only taken over when it is better than before: fewer elements at or below the
+/// check_elements lists them) is left, or attempts run out, or one leaves more than a tenth of all
+/// elements. A patch is only taken over when it is better than before: fewer elements at or below the
 /// threshold, or as many and a greater least scaled Jacobian; a positive least value never falls.
 /// The result does not depend on the number of threads. Throws Cancelled.
 UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,

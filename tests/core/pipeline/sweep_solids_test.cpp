@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "solids.h"
 
 namespace sweepmesh {
@@ -48,8 +52,70 @@ TEST(SweepSolids, boundary_cells_refer_to_their_own_solid) {
   }
 }
 
-TEST(SweepSolids, touching_solids_are_told_of) {
-  EXPECT_EQ(swept(test::two_boxes(0)).warnings.size(), 1u);
+/// How many hexahedra have each quad, told by its sorted corners.
+std::map<std::vector<int>, int> uses_of_quads(const VolumeMesh& mesh) {
+  constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                               {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  std::map<std::vector<int>, int> uses;
+  for (const auto& hexahedron : mesh.hexahedra)
+    for (const auto& face : faces) {
+      std::vector<int> corners;
+      for (const int c : face) corners.push_back(hexahedron[c]);
+      std::sort(corners.begin(), corners.end());
+      ++uses[corners];
+    }
+  return uses;
+}
+
+TEST(SweepSolids, coincident_faces_get_one_mesh_under_both_names) {
+  const SweepResult both = swept(test::two_boxes(0));
+  EXPECT_TRUE(both.warnings.empty());
+  EXPECT_NEAR(both.quality.total_volume, 2 * 1000, 1e-6);
+  const auto uses = uses_of_quads(both.mesh);
+  std::map<int, int> n_common;  // polygons between two hexahedra, by face
+  for (std::size_t c = 0; c < both.mesh.boundary_face.size(); ++c) {
+    std::vector<int> corners(both.mesh.boundary_nodes.begin() + both.mesh.boundary_offset[c],
+                             both.mesh.boundary_nodes.begin() + both.mesh.boundary_offset[c + 1]);
+    std::sort(corners.begin(), corners.end());
+    if (uses.at(corners) == 2) ++n_common[both.mesh.boundary_face[c].index];
+  }
+  ASSERT_EQ(n_common.size(), 2u);  // one face of each box, all 16 of its polygons
+  for (const auto& [face, n] : n_common) EXPECT_EQ(n, 16) << name_of(FaceId{face});
+}
+
+TEST(SweepSolids, faces_that_overlap_in_part_are_told_of) {
+  const SweepResult both = swept(test::boxes_touching_in_part());
+  ASSERT_EQ(both.warnings.size(), 1u);
+  EXPECT_NE(both.warnings.front().find("BooleanFragments"), std::string::npos);
+  EXPECT_NE(both.warnings.front().find("of solid 1 and Face"), std::string::npos);
+}
+
+/// A count for all edges of a solid that run along y.
+void count_along_y(const Model& solid, int count, SweepOptions& options) {
+  for (const EdgeId edge : solid.edges())
+    if (std::abs(solid.tangent(edge, 0.0).y()) > 0.9) options.edge_count[edge] = count;
+}
+
+TEST(SweepSolids, counts_of_one_solid_reach_the_other) {
+  const auto solids = solids_of(test::two_boxes(0));
+  SweepOptions options = of_size(2.5);
+  count_along_y(solids[1], 7, options);
+  Context context;
+  const SweepResult both = sweep_solids(solids, {}, options, context);
+  EXPECT_TRUE(both.warnings.empty());
+  EXPECT_EQ(both.mesh.hexahedra.size(), 2u * 4 * 4 * 7);
+}
+
+TEST(SweepSolids, counts_that_contradict_each_other_leave_the_contact_open) {
+  const auto solids = solids_of(test::two_boxes(0));
+  SweepOptions options = of_size(2.5);
+  count_along_y(solids[0], 6, options);
+  count_along_y(solids[1], 8, options);
+  Context context;
+  const SweepResult both = sweep_solids(solids, {}, options, context);
+  EXPECT_EQ(both.mesh.hexahedra.size(), 4u * 4 * 6 + 4 * 4 * 8);
+  ASSERT_EQ(both.warnings.size(), 1u);
+  EXPECT_NE(both.warnings.front().find("share no nodes there"), std::string::npos);
 }
 
 TEST(SweepSolids, picks_go_to_the_solid_that_has_the_face) {

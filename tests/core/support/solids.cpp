@@ -106,6 +106,10 @@ Model two_boxes(double gap) {
       compound({block({0, 0, 0}, {10, 10, 10}), block({10 + gap, 0, 0}, {20 + gap, 10, 10})}));
 }
 
+Model boxes_touching_in_part() {
+  return to_model(compound({block({0, 0, 0}, {10, 10, 10}), block({10, 5, 0}, {20, 15, 10})}));
+}
+
 Model box_and_ball() {
   const gp_Pnt centre(30, 0, 0);
   return to_model(

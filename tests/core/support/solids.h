@@ -38,6 +38,8 @@ Model box(double x, double y, double z);
 /// Two boxes of side 10, the second `gap` beyond the first along x: Face1 to Face6 and Face7 to
 /// Face12.
 Model two_boxes(double gap);
+/// Two boxes of side 10 that have half a face in common.
+Model boxes_touching_in_part();
 /// A box, and apart from it a ball.
 Model box_and_ball();
 

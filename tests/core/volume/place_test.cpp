@@ -141,7 +141,7 @@ TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
     Points points = solid.input();
     PlacementOptions options;
     options.reduction = 1e-6;
-    options.improve_up_to = options.lift_below = options.raise_mean_below = 0.0;
+    options.improve.up_to = options.improve.lift_below = options.raise_mean_below = 0.0;
     Context context;
     const PlacementReport report =
         place_interior(solid.extrusion, solid.fixed, points, options, context);
@@ -174,7 +174,7 @@ TEST(PlaceInterior, CorrectionObeysTheMaximumPrinciple) {
   Points points = solid.input();
   Context context;
   PlacementOptions plain, affine;
-  plain.improve_up_to = plain.lift_below = 0.0;
+  plain.improve.up_to = plain.improve.lift_below = 0.0;
   const PlacementReport report =
       place_interior(solid.extrusion, solid.fixed, points, plain, context);
   affine.method = PlacementMethod::layer_affine;
@@ -239,7 +239,7 @@ TEST(PlaceInterior, DisjointColumnsOverOneSpotDoNotFeelEachOther) {
   Points expected = one;
   Context context;
   PlacementOptions plain;
-  plain.improve_up_to = plain.lift_below = 0.0;
+  plain.improve.up_to = plain.improve.lift_below = 0.0;
   place_interior(alone.extrusion, alone.fixed, expected, plain, context);
   place_interior(both, fixed, points, plain, context);
   EXPECT_LT((points.topRows(one.rows()) - expected).norm(), 1e-3);

@@ -175,8 +175,8 @@ TEST(PlaceInterior, ImprovingPoorElementsNeverLowersTheLeastValue) {
     motion.amount = 0.15;
     const Solid solid = make_solid(make_square_with_hole(16, 4), 6, motion);
     PlacementOptions plain, improving;
-    plain.improve_up_to = plain.lift_below = 0.0;
-    improving.improve_up_to = 0.95;
+    plain.improve.up_to = plain.improve.lift_below = 0.0;
+    improving.improve.up_to = 0.95;
     Context context;
     Points points = solid.input();
     const double before =

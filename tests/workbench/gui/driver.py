@@ -1,5 +1,7 @@
 """Mouse, pictures and bookkeeping for macros that test the GUI from inside FreeCAD."""
+import dataclasses
 import faulthandler
+import gc
 import json
 import os
 import pathlib
@@ -9,13 +11,16 @@ import traceback
 
 import FreeCAD
 import FreeCADGui
+import shiboken2
 from PySide import QtCore, QtGui
 from PySide2.QtTest import QTest
 
 OUT = pathlib.Path(os.environ["SWEEPMESH_TEST_OUT"])
+OF_PANELS = tuple(f"sweepmesh.gui.{part}" for part in ("taskpanels", "overlays", "runner", "read_models"))
 LEFT, NO_KEY, CONTROL = QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.Qt.ControlModifier
 
-results = {"checks": {}, "values": {}}
+results = {"checks": {}, "values": {}, "unmet": []}
+LONG_WAIT = 5  # seconds: what takes longer than this is noted
 
 
 def go(steps):
@@ -33,11 +38,28 @@ def _run(steps):
                 dock.hide()
         FreeCADGui.activateWorkbench("SweepMeshWorkbench")
         steps()
+        _expect_nothing_left()
     except BaseException:
         results["error"] = traceback.format_exc()
         picture("error")
     (OUT / "results.json").write_text(json.dumps(results, indent=1), encoding="utf-8")
     os._exit(1 if "error" in results else 0)
+
+
+def _expect_nothing_left():
+    """Python objects of closed panels must be gone, without the help of its garbage collector: that might run in a
+    worker's thread, where nothing of Qt may be deleted. Rows of lists that are gone must not look alive (see below)."""
+    if is_panel_open():
+        return
+    check("nothing is left of the panels", lambda: not left_of_panels())
+    note("left of panels", left_of_panels())
+
+
+def left_of_panels():
+    """What there is in Python of our panels (constants of their modules aside), and of rows of lists."""
+    rows = [each for each in gc.get_objects() if isinstance(each, QtGui.QListWidgetItem) and shiboken2.isValid(each)]
+    own = [each for each in gc.get_objects() if type(each).__module__.startswith(OF_PANELS)]
+    return sorted(type(each).__name__ for each in rows + own if not dataclasses.is_dataclass(each))
 
 
 def check(name, truth):
@@ -64,13 +86,22 @@ def settle(seconds=0.25):
 
 
 def wait_for(condition, seconds=60):
-    """Let Qt work until `condition()`; False when it did not come true in time."""
-    end = time.time() + seconds
-    while time.time() < end:
-        if condition():
-            return True
+    """Let Qt work until `condition()`; False when it did not come true in time, which is a failure of the test."""
+    start = time.time()
+    while not (truth := condition()) and time.time() < start + seconds:
         settle(0.03)
-    return False
+    took = round(time.time() - start, 1)
+    if not truth:
+        results["unmet"].append(_caller())
+    elif took > LONG_WAIT:
+        note(f"waited at {_caller()}", took)
+    return bool(truth)
+
+
+def _caller():
+    """The line of a macro that runs now: "macro_pairs.py:20"."""
+    calls = [call for call in traceback.extract_stack() if call.filename != __file__]
+    return f"{pathlib.Path(calls[-1].filename).name}:{calls[-1].lineno}" if calls else "the end"
 
 
 def picture(name):
@@ -135,7 +166,7 @@ def _narrowest(corners):
 
 
 def _canvas():
-    for widget in main_window().findChildren(QtGui.QWidget):
+    for widget in main_window().findChild(QtGui.QMdiArea).findChildren(QtGui.QWidget):
         if "QuarterWidget" in widget.metaObject().className() and widget.isVisible():
             return widget
     raise LookupError("There is no 3D view.")
@@ -199,7 +230,7 @@ def click_row(name, row, key=NO_KEY):
     """Click on a row of a list of the panel."""
     shown = widget(name)
     reveal(shown)
-    QTest.mouseClick(shown.viewport(), LEFT, key, shown.visualItemRect(shown.item(row)).center())
+    QTest.mouseClick(shown.viewport(), LEFT, key, place_of(shown, row))
     settle(0.1)
 
 
@@ -210,10 +241,38 @@ def is_shown(name):
 
 def rows(name):
     """The texts of a list of the panel; none while there is no such list."""
-    if not is_shown(name):
-        return []
+    return texts(widget(name)) if is_shown(name) else []
+
+
+def marked(name):
+    """The texts of the marked rows of a list."""
+    return [index.data() for index in widget(name).selectionModel().selectedIndexes()]
+
+
+def are_proposed(name):
+    """Are the rows of a list proposals, which are in italics?"""
     shown = widget(name)
-    return [shown.item(i).text() for i in range(shown.count())]
+    fonts = [row_of(shown, i).data(QtCore.Qt.FontRole) for i in range(shown.count())]
+    return bool(fonts) and all(font is not None and font.italic() for font in fonts)
+
+
+# Rows are read by their indices. PySide would keep a Python half of every QListWidgetItem that it has seen, longer
+# than FreeCAD keeps its lists, and take it for the widget that Qt puts at the same address later.
+
+
+def texts(shown):
+    """The texts of a list."""
+    return [row_of(shown, i).data() for i in range(shown.count())]
+
+
+def row_of(shown, row):
+    """The index of a row of a list."""
+    return shown.model().index(row, 0)
+
+
+def place_of(shown, row):
+    """Where to click on a row of a list."""
+    return shown.visualRect(row_of(shown, row)).center()
 
 
 def type_into(name, text):
@@ -232,10 +291,12 @@ def double_click_in_tree(label):
     combo = next(tab for tab in main_window().findChildren(QtGui.QTabWidget) if tab.objectName() == "combiTab")
     combo.setCurrentIndex(0)
     settle(0.1)
+    exactly, all_the_way = QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, -1
     for tree in main_window().findChildren(QtGui.QTreeWidget):
-        for item in tree.findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive) if tree.isVisible() else ():
-            tree.scrollToItem(item)
-            at = tree.visualItemRect(item).center()
+        model = tree.model()
+        for index in model.match(model.index(0, 0), 0, label, all_the_way, exactly) if tree.isVisible() else ():
+            tree.scrollTo(index)
+            at = tree.visualRect(index).center()
             QTest.mouseClick(tree.viewport(), LEFT, NO_KEY, at)
             QTest.mouseDClick(tree.viewport(), LEFT, NO_KEY, at)
             settle(0.2)

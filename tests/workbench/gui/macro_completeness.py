@@ -2,12 +2,11 @@
 import os
 import pathlib
 import sys
-import weakref
 
 sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
-from driver import check, go, is_panel_open, note, picture, settle, widget
+from driver import check, go, is_panel_open, left_of_panels, note, picture, settle, texts, widget
 from PySide import QtCore, QtGui
 
 from sweepmesh.app import preferences
@@ -52,7 +51,7 @@ def preference_page():
     def look():
         dialog = QtGui.QApplication.activeModalWidget()
         box = dialog.findChild(QtGui.QListWidget)
-        names = [box.item(i).text() for i in range(box.count())]
+        names = texts(box)
         box.setCurrentRow(next((i for i, name in enumerate(names) if "SweepMesh" in name), 0))
         settle()
         picture("01_preferences")
@@ -83,9 +82,9 @@ def preferences_are_used():
     check("and colours only if wished", not panel.widgets.showRoles.isChecked())
     panel.reject()
     settle()
-    gone = weakref.ref(panel)
+    check("a panel is found in Python", "SweepPanel" in left_of_panels())
     del panel
-    check("a closed panel leaves nothing behind in Python", gone() is None)
+    check("a closed panel leaves nothing behind in Python", lambda: left_of_panels() == [])
 
 
 def whats_this():

@@ -6,8 +6,8 @@ sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
 from driver import (
-    check, click_face, go, is_panel_open, note, panel_button, picture, press, rows, settle, show_all,
-    tool_button, type_into, wait_for, widget,
+    are_proposed, check, click_face, click_row, go, is_panel_open, marked, note, panel_button, picture, press, rows,
+    settle, show_all, tool_button, type_into, wait_for, widget,
 )
 
 COMMAND = "Create sweep mesh"
@@ -109,20 +109,19 @@ def picking_and_unpicking(brick):
     check("a second click takes it back", "Face6" not in rows("targets"))
     press(widget("pickTargets"))
     press(widget("propose"))
-    wait_for(lambda: rows("sources") == ["Face6"])
+    check("sources and targets are proposed", lambda: are_proposed("sources") and are_proposed("targets"))
     note("proposed", [rows("sources"), rows("targets")])
     press(widget("pickSources"))
     click_face(brick, "Face6")
     press(widget("pickSources"))
     wait_for(lambda: len(rows("targets")) == 1)
-    check("the picked source stays", rows("sources") == ["Face6"])
-    widget("sources").item(0).setSelected(True)
-    settle()
+    check("the picked source stays", "Face6" in rows("sources") and not are_proposed("sources"))
+    click_row("sources", 0)
     chosen = FreeCADGui.Selection.getSelectionEx()
     check("a row of the list selects its face", chosen and chosen[0].SubElementNames == ("Face6",))
     FreeCADGui.Selection.clearSelection()
     click_face(brick, "Face6")
-    check("a face selects its row", [item.text() for item in widget("sources").selectedItems()] == ["Face6"])
+    check("a face selects its row", marked("sources") == ["Face6"])
     picture("04_picking")
 
 

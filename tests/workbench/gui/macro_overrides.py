@@ -8,7 +8,7 @@ import FreeCADGui
 import Part
 from driver import (
     check, choose, click_edge, click_face, click_point, click_row, click_vertex, double_click_in_tree, go,
-    is_panel_open, note, panel_button, picture, press, reveal, rows, settle, show_all, tool_button, type_into,
+    is_panel_open, marked, note, panel_button, picture, press, reveal, rows, settle, show_all, tool_button, type_into,
     type_shortcut, wait_for, widget,
 )
 from overlays import letters, tick_points
@@ -28,6 +28,7 @@ def steps():
     mesh = meshing(document, brick, upright, front)
     undo_and_redo(document, mesh)
     edit_again(document, mesh, upright)
+    elements_and_tolerance(document)
     contradiction(document, mesh)
     FreeCAD.closeDocument(document.Name)
     vertex_types()
@@ -145,8 +146,8 @@ def follow_each_other(brick, upright):
     check("the preview follows", wait_for(lambda: "6" not in letters(brick)))
     FreeCADGui.Selection.clearSelection()
     click_edge(brick, upright)
-    marked = [item.text() for item in widget("overrides").selectedItems()]
-    check("an edge selects its rows", marked and all(text.startswith(upright + ":") for text in marked))
+    names = [text.split(":")[0] for text in marked("overrides")]
+    check("an edge selects its rows", set(names) == {upright})
     row = next(i for i, text in enumerate(rows("overrides")) if "growth" in text)
     click_row("overrides", row)
     press(widget("removeOverrides"))
@@ -212,6 +213,31 @@ def edit_again(document, mesh, upright):
     FreeCADGui.runCommand("Std_Undo")
     check("undo brings the old one back", wait_for(lambda: mesh.FemMesh.HexaCount == before))
     check("and its setting", mesh.EdgeCounts == [f"{upright}=5"])
+
+
+def elements_and_tolerance(document):
+    mesh = document.SweepMesh
+    before = mesh.FemMesh.HexaCount
+    FreeCADGui.ActiveDocument.setEdit(mesh.Name)
+    wait_for(lambda: rows("overrides") and "can be swept" in widget("verdict").text())
+    choose("elementKind", 1)
+    choose("elementOrder", 1)
+    type_into("imprintTolerance", "0.3 mm")
+    press(panel_button("OK"))
+    check("other elements are meshed", wait_for(lambda: not is_panel_open(), 120) and mesh.isValid())
+    check("prisms", mesh.FemMesh.HexaCount == 0 and mesh.FemMesh.PrismCount == mesh.Prisms > 0)
+    first = next(iter(mesh.FemMesh.Volumes))
+    check("of second order", len(mesh.FemMesh.getElementNodes(first)) == 15)
+    check("and the imprint tolerance is kept", mesh.ImprintTolerance.Value == 0.3)
+    FreeCADGui.ActiveDocument.setEdit(mesh.Name)
+    wait_for(lambda: rows("overrides"))
+    shown = widget("elementKind").currentIndex(), widget("elementOrder").currentIndex()
+    check("all is shown again", shown == (1, 1) and widget("imprintTolerance").property("rawValue") == 0.3)
+    press(panel_button("Cancel"))
+    wait_for(lambda: not is_panel_open())
+    type_shortcut("Std_Undo")
+    check("undo brings the hexahedra back", lambda: mesh.FemMesh.HexaCount == before and mesh.FemMesh.PrismCount == 0)
+    check("and the old tolerance", mesh.ImprintTolerance.Value == 0)
 
 
 def contradiction(document, mesh):

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 from driver import (
-    CONTROL, LEFT, NO_KEY, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle,
+    CONTROL, NO_KEY, check, click_row, go, is_panel_open, is_shown, note, panel_button, picture, press, rows,
     show_all, tool_button, type_into, wait_for, widget,
 )
 
@@ -33,10 +33,7 @@ def steps():
 
 
 def mark(name, text, key=NO_KEY):
-    shown = widget(name)
-    item = next(shown.item(i) for i in range(shown.count()) if shown.item(i).text() == text)
-    QTest.mouseClick(shown.viewport(), LEFT, key, shown.visualItemRect(item).center())
-    settle(0.1)
+    click_row(name, rows(name).index(text), key)
 
 
 def pair_all(ups, down):
@@ -55,8 +52,6 @@ def pair_all(ups, down):
     wait_for(lambda: len(rows("pairs")) == 1)
     check("a pair can be removed", rows("pairs") == [f"{ups[1]}{ARROW}{down}"])
     check("its faces stay", len(rows("sources")) == 2)
-
-
     check("half of the pairs is told to be none", wait_for(lambda: rows("reasons")))
     note("reason", rows("reasons"))
     picture("02_half")

@@ -102,6 +102,11 @@ def switches(step):
     press(widget("showIntervals"))
 
 
+def _says_other_size(size):
+    text = widget("planSummary").text()
+    return "edge length" in text and not text.endswith(f"edge length {size}")
+
+
 def settings(step):
     type_into("meshSize", "2 mm")
     check("they follow the size", wait_for(lambda: "10" in letters(step)))
@@ -109,7 +114,7 @@ def settings(step):
     widget("layerCount").setValue(14)
     check("and the layers", wait_for(lambda: letters(step) != numbers and "14" in letters(step)))
     type_into("meshSize", "0 mm")
-    wait_for(lambda: "10" not in letters(step))
+    check("no size means one of their own", lambda: _says_other_size("2 mm"))
     press(widget("showRoles"))
     picture("04_intervals_only")
 

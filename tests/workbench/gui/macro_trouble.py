@@ -8,9 +8,11 @@ sys.path.insert(0, os.environ["SWEEPMESH_TEST_CODE"])
 import FreeCAD
 import FreeCADGui
 from driver import (
-    LEFT, NO_KEY, OUT, QTest, check, go, is_panel_open, is_shown, note, panel_button, picture, press, rows, settle,
-    show_all, tool_button, type_into, wait_for, widget,
+    LEFT, NO_KEY, OUT, QTest, check, click_row, go, is_panel_open, is_shown, left_of_panels, note, panel_button,
+    picture, press, row_of, rows, settle, show_all, tool_button, type_into, wait_for, widget,
 )
+from overlays import nodes
+from pivy import coin
 from PySide import QtCore
 
 FINE = "0.072 mm"  # four million hexahedra: enough work to be stopped in, on a fast machine too
@@ -24,6 +26,7 @@ def steps():
     a_document_closed_while_meshing()
     a_shape_edited_while_meshing()
     a_shape_edited_while_the_panel_is_open()
+    an_edit_that_a_script_ends()
     broken_links_can_be_edited()
     save_close_reopen_edit()
     another_document_becomes_active()
@@ -62,11 +65,10 @@ def an_unsweepable_solid():
     open_panel(ball)
     check("reasons are listed", wait_for(lambda: rows("reasons")))
     note("reasons", rows("reasons"))
-    shown = widget("reasons")
-    QTest.mouseClick(shown.viewport(), LEFT, NO_KEY, shown.visualItemRect(shown.item(0)).center())
+    click_row("reasons", 0)
     settle()
     chosen = [name for one in FreeCADGui.Selection.getSelectionEx() for name in one.SubElementNames]
-    check("a click on a reason selects what it names", chosen == shown.item(0).data(QtCore.Qt.UserRole))
+    check("a click on a reason selects what it names", chosen == row_of(widget("reasons"), 0).data(QtCore.Qt.UserRole))
     picture("01_unsweepable")
     press(panel_button("OK"))
     check("the run ends", lambda: not is_shown("progress") and rows("reasons"))
@@ -162,6 +164,20 @@ def a_shape_edited_while_the_panel_is_open():
     check("the verdict comes anew", wait_for(lambda: "can be swept" in widget("verdict").text()))
     show_all()
     picture("05_edited")
+    finish(document)
+
+
+def an_edit_that_a_script_ends():
+    document, brick = new_brick()
+    untouched = len(nodes(brick, coin.SoNode))
+    mesh_with_panel(brick)
+    FreeCADGui.ActiveDocument.setEdit("SweepMesh")
+    wait_for(lambda: rows("sources"))
+    check("an open panel draws on the shape", len(nodes(brick, coin.SoNode)) > untouched)
+    FreeCADGui.ActiveDocument.resetEdit()
+    check("the panel goes", lambda: not is_panel_open() and not left_of_panels())
+    check("with its drawings", len(nodes(brick, coin.SoNode)) == untouched)
+    check("and shows what was visible before", document.SweepMesh.Visibility and not brick.Visibility)
     finish(document)
 
 

@@ -5,6 +5,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
@@ -33,18 +34,32 @@ def run(macro, folder, timeout=300, environment=None):
     folder.mkdir(parents=True, exist_ok=True)
     for old in [*folder.glob("*.png"), *folder.glob("results.json")]:
         old.unlink()
+    subprocess.run([ROOT / "scripts" / "translations.sh"], check=True)
     home = _home(folder)
     with _server() as display:
         log = folder / "freecad.log"
         with open(log, "w") as output:
             command = ["freecad", "-u", home / "user.cfg", "-s", home / "system.cfg", HERE / macro]
-            status = subprocess.run(
-                command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, timeout=timeout,
-                env=_environment(home, folder, display, environment or {}), check=False,
-            ).returncode
+            process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
+                env=_environment(home, folder, display, environment or {}),
+            )
+            status = _end_of(process, log, timeout)
     results, said = folder / "results.json", log.read_text(encoding="utf-8", errors="replace")
     assert results.exists(), f"FreeCAD ended with {status} and left no results:\n{said[-4000:]}"
     return {**json.loads(results.read_text(encoding="utf-8")), "tracebacks": _tracebacks(said)}
+
+
+def _end_of(process, log, timeout):
+    """Wait for FreeCAD to end; it is ended where it takes too long, or where it says that it cannot read the macro."""
+    end = time.monotonic() + timeout
+    while process.poll() is None:
+        said = log.read_text(encoding="utf-8", errors="replace")
+        if time.monotonic() > end or "Exception while processing file" in said:
+            process.kill()
+            process.wait()
+        time.sleep(0.2)
+    return process.returncode
 
 
 def _tracebacks(text):

@@ -12,5 +12,6 @@ def test_macro(macro):
     results = run(macro, ROOT / "build" / "gui" / macro[len("macro_") : -len(".py")])
     assert "error" not in results, results["error"]
     failed = [name for name, truth in results["checks"].items() if not truth]
+    assert not results["unmet"], f"waited for in vain at {results['unmet']}"
     assert not failed and results["checks"], (failed, results["values"])
     assert not results["tracebacks"]

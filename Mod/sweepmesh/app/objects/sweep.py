@@ -1,7 +1,7 @@
 """The sweep mesh as a document object: settings, links to the shape and its faces, the mesh, the report."""
 from sweepmesh import engine
 from sweepmesh.app import overrides, preferences
-from sweepmesh.app.elements import Elements
+from sweepmesh.app.elements import arrays_of_femmesh, arrays_of_result
 from sweepmesh.app.femmesh import to_femmesh
 from sweepmesh.app.kept_meshes import KeptMeshes
 from sweepmesh.app.objects.base import EDITABLE, HIDDEN, READ_ONLY, Property, Proxy, in_group
@@ -118,10 +118,10 @@ class Sweep(Proxy):
         self._result = key, result
         self._shown = obj.Fingerprint = key
 
-    def elements(self, obj):
-        """Return the `Elements` of the mesh: from the last result where that is the mesh, which is quicker."""
+    def element_arrays(self, obj):
+        """Return what `Elements` takes: from the last result where that is the mesh, which is quicker."""
         key, result = self._result
-        return Elements.of_result(result) if key == obj.Fingerprint else Elements.of_femmesh(obj.FemMesh)
+        return arrays_of_result(result) if key == obj.Fingerprint else arrays_of_femmesh(obj.FemMesh)
 
     def _follow_undo(self, obj):
         fem_mesh = self._kept.get(obj.Fingerprint)

@@ -5,8 +5,10 @@ import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
 
+from sweepmesh.app.elements import Elements
 from sweepmesh.gui.overlays.elements import ElementOverlay, colours_of
-from sweepmesh.gui.resources import button, clear_lists, icon, load_form, tr
+from sweepmesh.gui.resources import button, icon, let_go, load_form, tr
+from sweepmesh.gui.runner import Runner
 from sweepmesh.gui.taskpanels.histogram import Histogram
 
 N_WORST = 20
@@ -23,7 +25,8 @@ class QualityPanel:
     def __init__(self, mesh):
         self._mesh, self._document_name = mesh, mesh.Document.Name
         self._quality = np.array(mesh.ScaledJacobians)
-        self._elements = mesh.Proxy.elements(mesh)
+        self._arrays = mesh.Proxy.element_arrays(mesh)
+        self._elements = None  # until they have been made, outside the GUI's thread
         self._overlay = ElementOverlay(mesh)
         self._was_visible = mesh.ViewObject.Visibility
         self.form = load_form("Quality")
@@ -34,7 +37,15 @@ class QualityPanel:
         self._load()
         self._connect()
         FreeCAD.addDocumentObserver(self)
-        mesh.ViewObject.Visibility = False
+        self._maker = Runner()
+        self._maker.succeeded.connect(self._take_elements)
+        arrays = self._arrays
+        self._maker.start(lambda progress: Elements(*arrays))
+
+    def _take_elements(self, elements):
+        self._elements, self._arrays = elements, None
+        self.form.busy.setVisible(False)
+        self._mesh.ViewObject.Visibility = False
         self.draw()
 
     def _load(self):
@@ -47,8 +58,9 @@ class QualityPanel:
         form.position.setRange(0, _STEPS)
         form.position.setValue(_STEPS // 2)
         form.threshold.setValue(1.0)
+        _, ids, _ = self._arrays
         for row in worst_of(self._quality, N_WORST):
-            item = QtGui.QListWidgetItem(f"{self._quality[row]:.4f}   {self._elements.ids[row]}")
+            item = QtGui.QListWidgetItem(f"{self._quality[row]:.4f}   {ids[row]}")
             item.setData(QtCore.Qt.UserRole, int(row))
             form.worst.addItem(item)
 
@@ -76,7 +88,9 @@ class QualityPanel:
         return chosen
 
     def draw(self, *_):
-        """Draw what the form asks for."""
+        """Draw what the form asks for, once the elements are there."""
+        if self._elements is None:
+            return
         quads, owners = self._elements.skin(self.shown())
         self._overlay.show(self._elements.points, quads, colours_of(self._quality[owners]))
 
@@ -84,6 +98,8 @@ class QualityPanel:
         return [item.data(QtCore.Qt.UserRole) for item in self.form.worst.selectedItems()]
 
     def _look_at(self, item):
+        if self._elements is None:
+            return
         centre = coin.SbVec3f(*self._elements.centres[item.data(QtCore.Qt.UserRole)])
         camera = FreeCADGui.ActiveDocument.ActiveView.getCameraNode()
         forwards = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
@@ -100,8 +116,9 @@ class QualityPanel:
 
     def _close(self):
         FreeCAD.removeDocumentObserver(self)
+        self._maker.close()
         self._overlay.remove()
-        clear_lists([self.form])
+        let_go([self.form])
         self._mesh.ViewObject.Visibility = self._was_visible
         QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
 

@@ -11,7 +11,7 @@ from sweepmesh.app.shapes import brep_of, proposed_size
 from sweepmesh.app.stages import faces_with, options_for
 from sweepmesh.gui import recorder
 from sweepmesh.gui.read_models import ReadModels
-from sweepmesh.gui.resources import Widgets, clear_lists, icon, load_form, tr
+from sweepmesh.gui.resources import Widgets, icon, let_go, load_form, tr
 from sweepmesh.gui.runner import STOP_SECONDS, Runner
 from sweepmesh.gui.taskpanels.cut_offer import CutOffer
 from sweepmesh.gui.taskpanels.face_lists import FaceLists
@@ -48,6 +48,7 @@ class SweepPanel:
         self._is_open = True
         self._visible = self._show_solid()
         FreeCAD.addDocumentObserver(self)
+        self.form[0].destroyed.connect(self._form_is_gone)
 
     # --- settings -------------------------------------------------------------------------------------
 
@@ -305,7 +306,20 @@ class SweepPanel:
     # --- the end --------------------------------------------------------------------------------------
 
     def _close(self):
-        """Stop all work and take everything out of the view; shape, mesh or document may be going just now."""
+        """End the panel; shape, mesh or document may be going just now."""
+        self._stop()
+        let_go(self.form)
+        name = self._document_name
+        QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(name))
+
+    def _form_is_gone(self, *_):
+        """FreeCAD has closed the panel without asking it, as it does where a script ends the edit."""
+        if self._is_open:
+            self._restore_visibility()
+            self._stop()
+
+    def _stop(self):
+        """Stop all work and take everything out of the view."""
         self._is_open = False
         FreeCAD.removeDocumentObserver(self)
         self._assessor.close()
@@ -313,9 +327,6 @@ class SweepPanel:
         self._picking.close()
         self._previews.close()
         self._cut.close()
-        clear_lists(self.form)
-        name = self._document_name
-        QtCore.QTimer.singleShot(0, lambda: _leave_edit_and_close(name))
 
     def slotChangedObject(self, obj, name):
         """FreeCAD calls this when a property changed: another shape needs other drawings and a new verdict."""
