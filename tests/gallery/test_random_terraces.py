@@ -9,7 +9,7 @@ from rate_of_terraces import attempt, table
 
 COUNT = int(os.environ.get("SWEEPMESH_RANDOM", "20"))
 LEAST_RATE = 0.9
-MOST_UNLIKE = 0.1
+MOST_UNLIKE = 0.05
 """Of the solids: where a patch is poor, which of its candidates is best may still hang on rounding."""
 
 

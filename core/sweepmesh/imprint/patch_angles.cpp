@@ -39,6 +39,13 @@ double angle_at(const Point3& before, const Point3& here, const Point3& after, c
   return angle > 0.0 ? angle : angle + 2 * std::numbers::pi;
 }
 
+/// Rounded to far more than a turned or scaled model's angles differ by: whether 135 degrees are one
+/// cell or two must not hang on that.
+double without_noise(double angle) {
+  constexpr double grid = 1e6;  // per radian
+  return std::round(angle * grid) / grid;
+}
+
 /// The cap's angles at the nodes of a loop, where the boundary is the cap's own on both sides.
 std::vector<std::optional<double>> cap_angles(const Model& model, const Imprint& imprint,
                                               const std::vector<int>& counts,
@@ -88,6 +95,8 @@ BoundaryAngles patch_angles(const Model& model, const Imprint& imprint,
         }
       rows.push_back(std::move(row));
     }
+  for (auto& row : rows)
+    for (double& angle : row) angle = without_noise(angle);
   return rows;
 }
 
