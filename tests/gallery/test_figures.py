@@ -7,7 +7,7 @@ from checker import expect_valid_sweep
 from columns import UP, n_columns, n_levels
 from gallery import Case, manifest
 
-from sweepmesh import Options, engine, read
+from sweepmesh import Options, engine, mesh, read
 
 X = FreeCAD.Vector(1, 0, 0)
 LEAST = 0.15
@@ -117,8 +117,13 @@ def test_figure_5_15_many_levels():
     meshed("multi_levels", least=0.3)
 
 
-def test_figure_5_16_typhoon_hole():
-    meshed("typhoon_hole")
+@pytest.mark.parametrize("factor", [0.93, 1.0, 1.07])
+def test_figure_5_16_typhoon_hole(factor):
+    case = case_of("typhoon_hole")
+    model = read(case.path)
+    result = mesh(model, Options(size=factor * case.size, **case.picks(model)))
+    expect_valid_sweep(result, model, case.genus)
+    assert result.quality["min_scaled_jacobian"] >= LEAST
 
 
 def test_figures_5_18_and_8_10_crankshaft():

@@ -1,4 +1,4 @@
-"""What a plan shows on the edges of a solid is where the mesh then has its nodes."""
+"""What a plan shows on the edges of a solid is where the mesh then has its nodes (a plan is of each solid alone)."""
 
 import numpy
 import pytest
@@ -11,7 +11,10 @@ from sweepmesh.engine.results import EDGE
 TOLERANCE = 1e-6  # of an element; ends of pieces of a divided edge are exact to the CAD model's 1e-7 only
 
 
-@pytest.mark.parametrize("case", cases("1-1", "M-1", "M-N", "submap", "radial"), ids=lambda case: case.label)
+CASES = [case for case in cases("1-1", "M-1", "M-N", "submap", "radial") if case.entry["solids"] == 1]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.label)
 def test_planned_nodes_are_those_of_the_mesh(case):
     model = sweepmesh.read(case.path)
     options = sweepmesh.Options(size=case.size, **case.picks(model))

@@ -141,19 +141,12 @@ Point2 in_sizes(const Point2& p, double size) {
   return (p * (grid / size)).array().round() / grid;
 }
 
-PlanarMesh chosen_mesh(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                       const Patch& patch, const PlanarLoops& loops, CellKind kind,
-                       const Context& context) {
-  const auto angles = patch_angles(model, imprint, counts, patch, loops);
-  PlanarMeshOptions options;
-  options.kind = kind;
-  std::vector<PlanarMesh> candidates = candidate_meshes(loops, options, angles, context);
-  if (options.kind == CellKind::quad) {
-    add_ringed(loops, angles, context, candidates);
-    add_divided(loops, options, angles, context, candidates);
-  }
-  return best_candidate(std::move(candidates), angles, context);
-}
+/// A patch in the plane, in units of the element size.
+struct PatchShape {
+  PlanarLoops loops;
+  std::vector<int> boundary;  ///< the base's nodes, loop after loop
+  BoundaryAngles angles;
+};
 
 /// The mesh of a patch in units of the element size, and the base's nodes of its boundary.
 struct PatchMesh {
@@ -161,40 +154,45 @@ struct PatchMesh {
   std::vector<int> boundary;
 };
 
-/// A mesh that is given stays as it is.
-PatchMesh mesh_patch(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                     int number, double size, CellKind kind, const GivenPatches& given,
-                     const Context& context, const BaseMesh& base) {
-  const Patch& patch = imprint.patches[number];
-  PatchMesh out;
-  PlanarLoops loops;
+/// The one part that asks the CAD model, which serves one thread at a time.
+PatchShape shape_of(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+                    const Patch& patch, double size, const BaseMesh& base) {
+  PatchShape out;
   for (const auto& loop : patch.loops) {
-    loops.emplace_back();
+    out.loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
       out.boundary.push_back(n);
-      loops.back().push_back(in_sizes(base.points[n], size));
+      out.loops.back().push_back(in_sizes(base.points[n], size));
     }
   }
-  draw_touching_apart(out.boundary, loops);
-  const auto own = given.find(number);
-  out.plane = own == given.end()
-                  ? chosen_mesh(model, imprint, counts, patch, loops, kind, context)
-                  : laid_flat(own->second.cells, own->second.points, flattened(loops), {}, context);
+  draw_touching_apart(out.boundary, out.loops);
+  out.angles = patch_angles(model, imprint, counts, patch, out.loops);
   return out;
 }
 
-/// The same, with errors that name the patch's caps.
-PatchMesh mesh_named_patch(const Model& model, const Imprint& imprint,
-                           const std::vector<int>& counts, int number, double size, CellKind kind,
-                           const GivenPatches& given, const Context& context,
-                           const BaseMesh& base) {
-  const Patch& patch = imprint.patches[number];
+PlanarMesh chosen_mesh(const PatchShape& shape, CellKind kind, const Context& context) {
+  PlanarMeshOptions options;
+  options.kind = kind;
+  std::vector<PlanarMesh> candidates =
+      candidate_meshes(shape.loops, options, shape.angles, context);
+  if (options.kind == CellKind::quad) {
+    add_ringed(shape.loops, shape.angles, context, candidates);
+    add_divided(shape.loops, options, shape.angles, context, candidates);
+  }
+  return best_candidate(std::move(candidates), shape.angles, context);
+}
+
+/// A mesh that is given stays as it is. Errors name the patch's caps.
+PatchMesh mesh_patch(const PatchShape& shape, const Patch& patch, const GivenPatch* own,
+                     CellKind kind, const Context& context) {
   const auto sentence = [&](const Error& e) {
     return "The patch between " + name_of(patch.runs[0].target) + " and " +
            name_of(patch.runs[0].source) + ": " + e.what();
   };
   try {
-    return mesh_patch(model, imprint, counts, number, size, kind, given, context, base);
+    return {own ? laid_flat(own->cells, own->points, flattened(shape.loops), {}, context)
+                : chosen_mesh(shape, kind, context),
+            shape.boundary};
   } catch (const InputError& e) {
     throw InputError(e.stage(), sentence(e), caps_of(patch));
   } catch (const SolverError& e) {
@@ -312,12 +310,16 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
                    double size, CellKind kind, Context& context, const GivenPatches& given) {
   BaseMesh base = mesh_base_edges(imprint, counts);
   const long n = static_cast<long>(imprint.patches.size());
+  std::vector<PatchShape> shapes;
+  for (const Patch& patch : imprint.patches)
+    shapes.push_back(shape_of(model, imprint, counts, patch, size, base));
   std::vector<PatchMesh> meshes(n);
   ThreadTeam team(context.n_threads());
   team.for_chunks(n, 1, [&](long p, long, long) {
     context.check("surface");
-    meshes[p] = mesh_named_patch(model, imprint, counts, static_cast<int>(p), size, kind, given,
-                                 context, base);
+    const auto own = given.find(static_cast<int>(p));
+    meshes[p] = mesh_patch(shapes[p], imprint.patches[p],
+                           own == given.end() ? nullptr : &own->second, kind, context);
   });
   for (long p = 0; p < n; ++p)
     add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), size, base);

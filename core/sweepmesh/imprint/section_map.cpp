@@ -206,9 +206,7 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   PlanarMesh& mesh = section.mesh;
   for (const Point2& p : in_spacings(points, spacing)) mesh.points.push_back(p);
   add_grid(scaled, mesh.points);
-  const auto triangles = constrained_delaunay(mesh.points, section.loops);
-  for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
-    mesh.add_cell(t);
+  for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
   std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
   for (Point2& p : all) p *= spacing;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
