@@ -6,7 +6,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "sweepmesh/imprint/forest.h"
+#include "sweepmesh/base/disjoint_sets.h"
 
 namespace sweepmesh {
 
@@ -58,7 +58,7 @@ Point2 CurveEnds::beside(const Polyline& line, bool at_start) {
 std::vector<CadColumn> find_columns(const Model& model, const Scheme& scheme,
                                     const Reference& reference, const Occupancy& occupancy,
                                     const CurveEnds& ends) {
-  Forest joined(model.n_vertices());
+  DisjointSets joined(model.n_vertices());
   for (const EdgeId e : model.edges())
     if (scheme.edge_role[e.index] == EdgeRole::axial)
       joined.join(model.start(e).index, model.end(e).index);
@@ -83,7 +83,7 @@ std::vector<int> joined_columns(const std::vector<CadColumn>& columns, const Occ
     for (int b = a + 1; b < n; ++b)
       if (const double d = apart(a, b); d < distance) pairs.emplace_back(d, a, b);
   std::sort(pairs.begin(), pairs.end());
-  Forest joined(n);
+  DisjointSets joined(n);
   const auto may_join = [&](int a, int b) {
     if (a == b || apart(a, b) > distance) return false;
     for (int p = 0; p < n; ++p)

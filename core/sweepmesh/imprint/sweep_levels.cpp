@@ -5,8 +5,8 @@
 #include <numeric>
 #include <set>
 
+#include "sweepmesh/base/disjoint_sets.h"
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/imprint/forest.h"
 
 namespace sweepmesh {
 namespace {
@@ -37,8 +37,8 @@ std::vector<AxialEdge> axial_edges(const Model& model, const Scheme& scheme) {
 }
 
 /// Vertices that must lie on one level.
-Forest groups_of(const Model& model, const Scheme& scheme) {
-  Forest groups(model.n_vertices());
+DisjointSets groups_of(const Model& model, const Scheme& scheme) {
+  DisjointSets groups(model.n_vertices());
   for (const EdgeId e : model.edges())
     if (scheme.edge_role[e.index] != EdgeRole::axial)
       groups.join(model.start(e).index, model.end(e).index);
@@ -51,7 +51,7 @@ Forest groups_of(const Model& model, const Scheme& scheme) {
 }
 
 /// Mean height of each group's vertices.
-std::map<int, double> heights_of(const Model& model, const Forest& groups,
+std::map<int, double> heights_of(const Model& model, DisjointSets& groups,
                                  const std::vector<AxialEdge>& axial) {
   Point3 direction = Point3::Zero();
   for (const AxialEdge& a : axial) direction += model.point(a.high) - model.point(a.low);
@@ -71,7 +71,7 @@ std::map<int, double> heights_of(const Model& model, const Forest& groups,
 
 std::vector<int> sweep_levels(const Model& model, const Scheme& scheme) {
   const auto axial = axial_edges(model, scheme);
-  const Forest groups = groups_of(model, scheme);
+  DisjointSets groups = groups_of(model, scheme);
   const auto height = heights_of(model, groups, axial);
   std::map<int, std::set<int>> above;
   std::map<int, int> n_below;

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "sweepmesh/base/disjoint_sets.h"
+
 namespace sweepmesh {
 namespace {
 
@@ -15,29 +17,10 @@ using Kind = CountProblem::Kind;
 using Demand = CountProblem::Demand;
 using Terms = std::vector<IntegerProgram::Term>;
 
-class UnionFind {
- public:
-  explicit UnionFind(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  /// The smaller index stays the root, so that the result does not depend on the order of merging.
-  bool merge(int a, int b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
 /// Terms over roots, each once, without zeros, ascending.
-Terms collected(const Terms& terms, UnionFind& sets) {
+Terms collected(const Terms& terms, DisjointSets& sets) {
   std::map<int, double> sum;
-  for (const auto& t : terms) sum[sets.find(t.variable)] += t.coefficient;
+  for (const auto& t : terms) sum[sets.root(t.variable)] += t.coefficient;
   Terms out;
   for (const auto& [variable, coefficient] : sum)
     if (coefficient != 0.0) out.push_back({variable, coefficient});
@@ -53,10 +36,10 @@ using RowKey = std::pair<double, std::vector<std::pair<int, double>>>;
 
 /// What an equality says of its first unknown: the other terms per unit of it. Empty where the
 /// first unknown is not free of the rest.
-std::optional<RowKey> definition(const Demand& d, const Terms& terms, UnionFind& sets,
+std::optional<RowKey> definition(const Demand& d, const Terms& terms, DisjointSets& sets,
                                  int& defined) {
   if (d.kind != Kind::equality || d.terms.empty()) return std::nullopt;
-  defined = sets.find(d.terms.front().variable);
+  defined = sets.root(d.terms.front().variable);
   double scale = 0.0;
   RowKey key{d.right, {}};
   for (const auto& t : terms) {
@@ -71,16 +54,16 @@ std::optional<RowKey> definition(const Demand& d, const Terms& terms, UnionFind&
   return key;
 }
 
-bool merge_once(const CountProblem& problem, UnionFind& sets) {
+bool merge_once(const CountProblem& problem, DisjointSets& sets) {
   bool changed = false;
   std::map<RowKey, int> known;
   for (const auto& d : problem.demands) {
     const Terms terms = collected(d.terms, sets);
-    if (says_equal(d, terms)) changed |= sets.merge(terms[0].variable, terms[1].variable);
+    if (says_equal(d, terms)) changed |= sets.join(terms[0].variable, terms[1].variable);
     int defined = -1;
     if (auto key = definition(d, terms, sets, defined)) {
       const auto [at, is_new] = known.emplace(std::move(*key), defined);
-      if (!is_new) changed |= sets.merge(at->second, defined);
+      if (!is_new) changed |= sets.join(at->second, defined);
     }
   }
   return changed;
@@ -108,11 +91,11 @@ void add_member(CountClasses::Class& c, const CountProblem::Unknown& u) {
   c.weights.push_back(u.weight);
 }
 
-void number_classes(const CountProblem& problem, UnionFind& sets, CountClasses& out) {
+void number_classes(const CountProblem& problem, DisjointSets& sets, CountClasses& out) {
   const int n = static_cast<int>(problem.unknowns.size());
   out.class_of.assign(n, -1);
   for (int u = 0; u < n; ++u) {
-    const int root = sets.find(u);
+    const int root = sets.root(u);
     if (root == u) {
       out.class_of[u] = static_cast<int>(out.classes.size());
       out.classes.emplace_back();
@@ -129,7 +112,7 @@ auto order_key(const Demand& d) {
 }
 
 /// Demands over classes, each once, in the order in which they were made.
-void collect_demands(const CountProblem& problem, UnionFind& sets, CountClasses& out) {
+void collect_demands(const CountProblem& problem, DisjointSets& sets, CountClasses& out) {
   std::set<decltype(order_key(Demand{}))> seen;
   for (const auto& original : problem.demands) {
     Demand d = original;
@@ -142,7 +125,7 @@ void collect_demands(const CountProblem& problem, UnionFind& sets, CountClasses&
 }  // namespace
 
 CountClasses merge_equal(const CountProblem& problem) {
-  UnionFind sets(static_cast<int>(problem.unknowns.size()));
+  DisjointSets sets(static_cast<int>(problem.unknowns.size()));
   while (merge_once(problem, sets)) {
   }
   CountClasses out;

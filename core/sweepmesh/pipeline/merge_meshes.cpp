@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "sweepmesh/base/disjoint_sets.h"
 #include "sweepmesh/base/point_finder.h"
 
 namespace sweepmesh {
@@ -59,24 +60,6 @@ bool is_met(const VolumeMesh& a, FaceId f, const VolumeMesh& b, FaceId g, double
   return own.size() == others.size() && polygons(a, f, same) == polygons(b, g, number);
 }
 
-/// Joins nodes; the lowest of a class stands for it.
-class Classes {
- public:
-  explicit Classes(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int of(int n) {
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
-  void join(int a, int b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
 class Merger {
  public:
   Merger(std::vector<VolumeMesh> meshes, const Contacts& all, const std::vector<Contact>& met,
@@ -118,7 +101,7 @@ class Merger {
 
   /// Solids that are connected by contacts share edges and vertices too, where they have them.
   void join_on_edges() {
-    Classes group(static_cast<int>(meshes_.size()));
+    DisjointSets group(static_cast<int>(meshes_.size()));
     for (const Contact& c : met_) group.join(c.solid, c.other);
     std::map<std::tuple<int, EntityKind, int>, std::vector<int>> at;
     for (std::size_t s = 0; s < meshes_.size(); ++s)
@@ -127,8 +110,8 @@ class Merger {
         if (o.index < 0 || o.kind == EntityKind::face) continue;
         const int entity =
             o.kind == EntityKind::edge ? all_.edge[o.index].index : all_.vertex[o.index].index;
-        at[{group.of(static_cast<int>(s)), o.kind, entity}].push_back(first_[s] +
-                                                                      static_cast<int>(n));
+        at[{group.root(static_cast<int>(s)), o.kind, entity}].push_back(first_[s] +
+                                                                        static_cast<int>(n));
       }
     for (const auto& [entity, nodes] : at) join_near(nodes);
   }
@@ -153,7 +136,7 @@ class Merger {
   void number() {
     number_.resize(first_.back());
     for (int n = 0; n < first_.back(); ++n)
-      number_[n] = classes_.of(n) == n ? n_nodes_++ : number_[classes_.of(n)];
+      number_[n] = classes_.root(n) == n ? n_nodes_++ : number_[classes_.root(n)];
   }
 
   /// Of a node of one solid.
@@ -162,7 +145,7 @@ class Merger {
   void add(int solid) {
     const VolumeMesh& mesh = meshes_[solid];
     for (int n = 0; n < static_cast<int>(mesh.points.rows()); ++n) {
-      if (classes_.of(first_[solid] + n) != first_[solid] + n) continue;
+      if (classes_.root(first_[solid] + n) != first_[solid] + n) continue;
       out_.points.row(number_of(solid, n)) = mesh.points.row(n);
       out_.owner[number_of(solid, n)] = mesh.owner[n];
     }
@@ -203,7 +186,7 @@ class Merger {
   const std::vector<Contact>& met_;
   const double tolerance_;
   const std::vector<int> first_;  ///< by solid, and one more
-  Classes classes_;
+  DisjointSets classes_;
   std::vector<int> number_;
   int n_nodes_ = 0;
   VolumeMesh out_;

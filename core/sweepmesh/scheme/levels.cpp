@@ -4,6 +4,8 @@
 #include <numeric>
 #include <set>
 
+#include "sweepmesh/base/disjoint_sets.h"
+
 namespace sweepmesh {
 
 namespace {
@@ -15,21 +17,8 @@ bool is_within(StateSet set, StateSet all) {
   return set != 0 && (set & ~all) == 0;
 }
 
-class Groups {
- public:
-  explicit Groups(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(int a, int b) { parent_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
-
- private:
-  std::vector<int> parent_;
-};
-
-Groups joined_vertices(const Network& n, const Choices& choices) {
-  Groups groups(n.problem.n_vertices);
+DisjointSets joined_vertices(const Network& n, const Choices& choices) {
+  DisjointSets groups(n.problem.n_vertices);
   for (std::size_t c = 0; c < n.problem.coedges.size(); ++c)
     if (is_within(choices.domain[c], kTransverseStates | kSourceStates | kTargetStates))
       groups.join(n.problem.coedges[c].start, n.problem.coedges[c].end);
@@ -108,7 +97,7 @@ int relative_euler(const Network& n, const Choices& choices, int state) {
 }  // namespace
 
 std::optional<LevelGroups> level_groups(const Network& network, const Choices& choices) {
-  Groups groups = joined_vertices(network, choices);
+  DisjointSets groups = joined_vertices(network, choices);
   std::vector<std::vector<int>> above(network.problem.n_vertices);
   std::vector<int> n_below(network.problem.n_vertices, 0);
   for (const auto& [low, high] : rises(network, choices)) {

@@ -100,7 +100,7 @@ void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlo
 
 void find_blocks(const Extrusion& x, LayerMotion& motion) {
   // Cells are joined through the first cell that a column saw with the same ends.
-  Sets sets(x.n_cells());
+  DisjointSets sets(x.n_cells());
   std::map<std::pair<int, int>, std::vector<int>> seen;
   for (int c = 0; c < x.n_cells(); ++c) {
     std::vector<int>& first = seen[{x.cell_k_low[c], x.cell_k_high[c]}];
@@ -113,7 +113,7 @@ void find_blocks(const Extrusion& x, LayerMotion& motion) {
   }
   motion.cell_block.resize(x.n_cells());
   for (int c = 0; c < x.n_cells(); ++c) {
-    const int root = sets.find(c);
+    const int root = sets.root(c);
     if (root == c) {
       motion.cell_block[c] = static_cast<int>(motion.blocks.size());
       motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, {}, false});

@@ -14,7 +14,7 @@ std::vector<int> levels_of(const Extrusion& x) {
 }
 
 int find_parts(const Extrusion& x, Slab& slab) {
-  Sets sets(x.n_columns());
+  DisjointSets sets(x.n_columns());
   std::vector<char> is_active(x.n_columns(), 0);
   for (int c = 0; c < x.n_cells(); ++c) {
     if (!slab.holds(x, c)) continue;
@@ -27,7 +27,7 @@ int find_parts(const Extrusion& x, Slab& slab) {
   slab.part.assign(x.n_columns(), -1);
   for (int c = 0; c < x.n_columns(); ++c) {
     if (!is_active[c]) continue;
-    const int root = sets.find(c);
+    const int root = sets.root(c);
     slab.part[c] = root == c ? n_parts++ : slab.part[root];
   }
   return n_parts;

@@ -4,27 +4,10 @@
 #include <numeric>
 #include <vector>
 
+#include "sweepmesh/base/disjoint_sets.h"
 #include "sweepmesh/volume/extrusion.h"
 
 namespace sweepmesh {
-
-/// Disjoint sets of 0 .. n - 1.
-class Sets {
- public:
-  explicit Sets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// What is between two neighbouring levels (layers at which a run begins or ends).
 struct Slab {
