@@ -39,8 +39,8 @@ double angle_at(const Point3& before, const Point3& here, const Point3& after, c
   return angle > 0.0 ? angle : angle + 2 * std::numbers::pi;
 }
 
-/// Rounded to far more than a turned or scaled model's angles differ by: whether 135 degrees are one
-/// cell or two must not hang on that.
+/// Rounded to far more than a turned or scaled model's angles differ by: whether 135 degrees are
+/// one cell or two must not hang on that.
 double without_noise(double angle) {
   constexpr double grid = 1e6;  // per radian
   return std::round(angle * grid) / grid;
