@@ -1,6 +1,7 @@
 // Plane meshes of given boundaries: invariants over families, determinism, errors.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 #include <thread>
 
@@ -201,15 +202,14 @@ TEST(GmshWorker, tells_the_status_of_each_job) {
   EXPECT_EQ(worker.run(directory.path(), context), 2);
 }
 
-TEST(GmshWorker, goes_on_after_a_job_without_a_file) {
+TEST(GmshWorker, goes_on_after_a_job_that_failed) {
   const Context context;
-  const TemporaryDirectory empty, full;
+  const TemporaryDirectory full;
   std::ofstream(full.path() / "cap.geo")
       << "Point(1)={0,0,0,1};Point(2)={1,0,0,1};Point(3)={0,1,0,1};"
          "Line(1)={1,2};Line(2)={2,3};Line(3)={3,1};Line Loop(4)={1:3};Plane Surface(1)={4};";
   GmshWorker worker;
-  EXPECT_NE(worker.run(empty.path(), context), 0);
-  EXPECT_NE(worker.run(empty.path() / "nowhere", context), 0);
+  EXPECT_NE(worker.run(full.path() / "nowhere", context), 0);
   EXPECT_EQ(worker.run(full.path(), context), 0);
   EXPECT_TRUE(std::filesystem::exists(full.path() / "cap.msh"));
 }
