@@ -102,17 +102,7 @@ void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metri
     for (int j = i + 1; j < m.n; ++j) m.weight(i, j) = std::max(0.0, m.weight(i, j));
 }
 
-/// Ends of columns lie far from one another in memory: fetches those that a cell needs.
-void prefetch_cell(const Extrusion& x, const Points& points, int c) {
-#if defined(__GNUC__)
-  for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i)
-    for (const int k : {x.cell_k_low[c], x.cell_k_high[c]})
-      __builtin_prefetch(points.data() + 3 * x.node(x.cell_columns[i], k));
-#endif
-}
-
 void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, ThreadTeam& team) {
-  constexpr int n_ahead = 8;
   metric.pair_offset.reserve(x.n_cells() + 1);
   for (int c = 0; c < x.n_cells(); ++c) {
     const long n = x.cell_size(c);
@@ -121,10 +111,7 @@ void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, Thr
   metric.pair_weight.assign(metric.pair_offset.back(), 0.0);
   metric.corner_mass.assign(x.cell_columns.size(), 0.0);
   team.for_chunks(x.n_cells(), grain_of(x.n_cells()), [&](long begin, long end, long) {
-    for (int c = static_cast<int>(begin); c < end; ++c) {
-      if (c + n_ahead < x.n_cells()) prefetch_cell(x, points, c + n_ahead);
-      add_cell(x, points, c, metric);
-    }
+    for (int c = static_cast<int>(begin); c < end; ++c) add_cell(x, points, c, metric);
   });
 }
 
