@@ -53,27 +53,30 @@ struct Direction {
 void add_quad(const PolygonMatrix& m, const Point3* p, double factor) {
   // Edge i leads from corner i to the next; the angle at a corner has the lengths of its edges as
   // factor, sums of opposite angles those of all four.
-  Point3 edge[4];
-  double length[4];
-  Direction angle[4];
-  for (int i = 0; i < 4; ++i) {
-    edge[i] = p[(i + 1) % 4] - p[i];
-    length[i] = edge[i].squaredNorm();
+  using Four = Eigen::Array4d;
+  const auto next_of = [](const Four& a) { return Four(a[1], a[2], a[3], a[0]); };
+  const auto last_of = [](const Four& a) { return Four(a[3], a[0], a[1], a[2]); };
+  Four out[3], in[3];
+  for (int d = 0; d < 3; ++d) {
+    const Four x(p[0][d], p[1][d], p[2][d], p[3][d]);
+    out[d] = next_of(x) - x;
+    in[d] = last_of(out[d]);
   }
-  for (int i = 0; i < 4; ++i) {
-    const Point3 &in = edge[(i + 3) % 4], &out = edge[i];
-    angle[i] = {in.cross(out).norm(), -in.dot(out)};
-  }
-  const int tip = (angle[0] + angle[2]).is_less_than(angle[1] + angle[3]) ? 0 : 1;
+  const Four length = out[0] * out[0] + out[1] * out[1] + out[2] * out[2];
+  const Four a = in[1] * out[2] - in[2] * out[1], b = in[2] * out[0] - in[0] * out[2],
+             c = in[0] * out[1] - in[1] * out[0];
+  const Four sine = (a * a + b * b + c * c).sqrt();
+  const Four cosine = -(in[0] * out[0] + in[1] * out[1] + in[2] * out[2]);
+  const auto angle = [&](int i) { return Direction{sine[i], cosine[i]}; };
+  const int tip = (angle(0) + angle(2)).is_less_than(angle(1) + angle(3)) ? 0 : 1;
   for (const int i : {tip, tip + 2}) {  // the triangle of corner i and its neighbours
     const int last = (i + 3) % 4, next = (i + 1) % 4;
-    const double twice_area = angle[i].sine;
-    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * twice_area / 6.0;
-    if (!(twice_area > 0.0)) continue;
-    const double f = 0.5 * factor / twice_area;
-    m.weight(last, next) += f * angle[i].cosine;
-    m.weight(last, i) += f * (length[i] - angle[i].cosine);
-    m.weight(i, next) += f * (length[last] - angle[i].cosine);
+    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * sine[i] / 6.0;
+    if (!(sine[i] > 0.0)) continue;
+    const double f = 0.5 * factor / sine[i];
+    m.weight(last, next) += f * cosine[i];
+    m.weight(last, i) += f * (length[i] - cosine[i]);
+    m.weight(i, next) += f * (length[last] - cosine[i]);
   }
 }
 
