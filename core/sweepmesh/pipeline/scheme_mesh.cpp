@@ -1,5 +1,6 @@
 #include "sweepmesh/pipeline/scheme_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <set>
@@ -65,6 +66,13 @@ std::string merge_warning(double fraction) {
          std::to_string(std::lround(100 * fraction)) + " % of the element size.";
 }
 
+/// Whether the same curves divide R in the same way.
+bool is_alike(const Imprint& a, const Imprint& b) {
+  return std::ranges::equal(a.edges, b.edges, [](const ImprintEdge& x, const ImprintEdge& y) {
+    return x.start == y.start && x.end == y.end && x.points == y.points;
+  });
+}
+
 class SchemeMesher {
  public:
   SchemeMesher(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
@@ -103,13 +111,18 @@ class SchemeMesher {
   }
 
   /// Near curves are brought together within the first distance, or, where curves then get into
-  /// each other's way or cells have no room on a cap, within another one. If none will do, the
-  /// first error counts.
+  /// each other's way or cells have no room on a cap, within another one that makes a difference.
+  /// If none will do, the first error counts.
   BoundaryMesh many_to_many() {
     const std::vector<double> fractions = merge_fractions(options_, intervals_.size);
     std::exception_ptr first;
+    std::vector<Imprint> tried;
     for (const double fraction : fractions) try {
-        BoundaryMesh boundary = with_merging(fraction);
+        Imprint imprint = imprinted(fraction);
+        if (std::ranges::any_of(tried, [&](const Imprint& i) { return is_alike(i, imprint); }))
+          continue;
+        tried.push_back(std::move(imprint));
+        BoundaryMesh boundary = over(tried.back());
         if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
         return boundary;
       } catch (const Cancelled&) {
@@ -121,12 +134,15 @@ class SchemeMesher {
     std::rethrow_exception(first);
   }
 
-  BoundaryMesh with_merging(double merge_fraction) {
+  Imprint imprinted(double merge_fraction) {
     context_.report(0.05, "Imprinting");
-    const Imprint imprint = clock_.run("imprint", [&] {
+    return clock_.run("imprint", [&] {
       const ImprintOptions how{.size = intervals_.size, .merge_fraction = merge_fraction};
       return imprint_caps(model_, scheme_, how, context_);
     });
+  }
+
+  BoundaryMesh over(const Imprint& imprint) {
     context_.report(0.1, "Choosing intervals");
     const ImprintCounts counts = clock_.run(
         "intervals", [&] { return count_imprint(model_, scheme_, imprint, intervals_, context_); });
