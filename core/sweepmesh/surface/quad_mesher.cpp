@@ -155,11 +155,11 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   }
   if (worst(out, task.options.metric) < poor) {
     try_to_add([&] { return by_halving(task); }, out, failure);
+    if (worst(out, task.options.metric) <= 0.0)
+      try_to_add([&] { return by_delaunay(task); }, out, failure);
     for (std::size_t i = 0, n = out.size(); i < n; ++i)
       out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
   }
-  if (worst(out, task.options.metric) <= 0.0)
-    try_to_add([&] { return by_delaunay(task); }, out, failure);
   if (!out.empty()) return out;
   if (failure) throw *failure;
   throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");

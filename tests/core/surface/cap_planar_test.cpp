@@ -79,9 +79,13 @@ TEST_P(CapOutlines, paired_delaunay_triangles_fill_the_domain_without_another_me
   Context context;
   const auto quads = delaunay_quads(GetParam().loops, GetParam().size);
   ASSERT_TRUE(quads);
-  const auto regular =
-      with_regular_valences(smoothed(*quads, {}, context), {interior_angles(GetParam().loops)});
-  const PlanarMesh mesh = smoothed(regular, {}, context);
+  const BoundaryAngles angles = {interior_angles(GetParam().loops)};
+  const auto cleaned = [&](const PlanarMesh& mesh) {
+    return smoothed(with_regular_valences(smoothed(mesh, {}, context), angles), {}, context);
+  };
+  PlanarMesh mesh = cleaned(*quads);
+  const PlanarMesh ringed = cleaned(with_rings(mesh, GetParam().loops, angles));
+  if (overall_quality(ringed) > overall_quality(mesh)) mesh = ringed;
   expect_mesh_of(GetParam().loops, mesh, 4);
   EXPECT_GT(quality(mesh.points, mesh).mean, 0.6);
 }
