@@ -40,9 +40,10 @@ Assembly assemble_boundary(const Model& model, const Picks& picks, double size, 
   if (!assessment.is_sweepable()) throw InputError("assess", assessment.reasons.front().text);
   const Scheme& scheme = assessment.schemes.front();
   const SweepOptions options{.size = size};
+  const auto [match, counts] = lay_out(model, scheme, options, size, context);
   const BoundaryMesh boundary =
-      mesh_layout(model, scheme, lay_out(model, scheme, options, size, context),
-                  interval_options(model, options, size), CellKind::quad, context);
+      mesh_matched(model, scheme, match, counts, interval_options(model, options, size),
+                   CellKind::quad, context);
   return assemble(boundary.surface, boundary.columns, boundary.runs);
 }
 

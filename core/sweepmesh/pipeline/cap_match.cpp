@@ -47,11 +47,24 @@ Layout lay_out(const Model& model, const Scheme& scheme, const SweepOptions& opt
                Context& context) {
   const IntervalOptions intervals = interval_options(model, options, size);
   return with_some_merging(
-      merge_fractions(model, scheme, options, size), [&](double fraction) -> Layout {
-        CapMatch match = match_caps(model, scheme, {size, fraction}, context);
+      merge_fractions(model, scheme, options, size),
+      [&](double fraction) {
+        return match_caps(model, scheme, {size, fraction}, context);
+      },
+      [&](CapMatch& match, double) {
         PieceCounts counts = count_edges(model, scheme, match, intervals, context);
-        return {std::move(match), std::move(counts)};
+        return Layout{std::move(match), std::move(counts)};
       });
+}
+
+bool is_alike(const CapMatch& a, const CapMatch& b) {
+  const auto* of_a = std::get_if<Imprint>(&a);
+  const auto* of_b = std::get_if<Imprint>(&b);
+  if (!of_a || !of_b) return !of_a && !of_b;
+  return std::ranges::equal(of_a->edges, of_b->edges,
+                            [](const ImprintEdge& x, const ImprintEdge& y) {
+                              return x.start == y.start && x.end == y.end && x.points == y.points;
+                            });
 }
 
 bool can_merging_help(const Error& error) {

@@ -2,7 +2,9 @@
 // mesh edges on every edge.
 #pragma once
 
+#include <algorithm>
 #include <exception>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -50,14 +52,22 @@ std::vector<double> merge_fractions(const Model& model, const Scheme& scheme,
 /// carried to another level does not depend on how near they are.
 bool can_merging_help(const Error& error);
 
-/// `f` of the first of the `fractions` that it throws no Error for. Curves may get into each
-/// other's way, or cells have no room on a cap, within one distance and not within another one. If
-/// none will do, the first error counts.
-template <class F>
-auto with_some_merging(const std::vector<double>& fractions, F&& f) {
+/// Whether the same curves divide R in the same way, or nothing is imprinted.
+bool is_alike(const CapMatch& a, const CapMatch& b);
+
+/// `use(match(fraction), fraction)` of the first of the `fractions` that ends in no Error. Curves
+/// may get into each other's way, or cells have no room on a cap, within one distance and not
+/// within another one that makes a difference. If none will do, the first error counts.
+template <class Match, class Use>
+auto with_some_merging(const std::vector<double>& fractions, Match&& match, Use&& use) {
   std::exception_ptr first;
+  std::vector<CapMatch> tried;
   for (const double fraction : fractions) try {
-      return f(fraction);
+      CapMatch made = match(fraction);
+      if (std::ranges::any_of(tried, [&](const CapMatch& t) { return is_alike(t, made); }))
+        continue;
+      tried.push_back(std::move(made));
+      return use(tried.back(), fraction);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {

@@ -85,27 +85,31 @@ class SchemeMesher {
  private:
   BoundaryMesh mesh_surface() {
     const auto fractions = merge_fractions(model_, scheme_, options_, intervals_.size);
-    return with_some_merging(fractions, [&](double fraction) {
-      BoundaryMesh boundary = with_merging(fraction);
-      if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
-      return boundary;
+    return with_some_merging(
+        fractions, [&](double fraction) { return matched(fraction); },
+        [&](CapMatch& match, double fraction) {
+          BoundaryMesh boundary = over(match);
+          if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
+          return boundary;
+        });
+  }
+
+  CapMatch matched(double merge_fraction) {
+    context_.report(0.05, "Matching sources and targets");
+    return clock_.run("imprint", [&] {
+      return match_caps(model_, scheme_, {intervals_.size, merge_fraction}, context_);
     });
   }
 
-  BoundaryMesh with_merging(double merge_fraction) {
-    context_.report(0.05, "Matching sources and targets");
-    Layout layout;
-    layout.match = clock_.run("imprint", [&] {
-      return match_caps(model_, scheme_, {intervals_.size, merge_fraction}, context_);
-    });
+  BoundaryMesh over(const CapMatch& match) {
     context_.report(0.1, "Choosing intervals");
-    layout.counts = clock_.run("intervals", [&] {
-      return count_edges(model_, scheme_, layout.match, intervals_, context_);
-    });
-    out_.intervals = layout.counts.intervals;
+    const PieceCounts counts = clock_.run(
+        "intervals", [&] { return count_edges(model_, scheme_, match, intervals_, context_); });
+    out_.intervals = counts.intervals;
     context_.report(0.2, "Meshing the surface");
     return clock_.run("surface", [&] {
-      return without_overlaps(mesh_layout(model_, scheme_, layout, intervals_, kind_, context_));
+      return without_overlaps(
+          mesh_matched(model_, scheme_, match, counts, intervals_, kind_, context_));
     });
   }
 
@@ -126,9 +130,9 @@ SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOpti
   return SchemeMesher(model, scheme, options, size, clock, context).run();
 }
 
-BoundaryMesh mesh_layout(const Model& model, const Scheme& scheme, const Layout& layout,
-                         const IntervalOptions& options, CellKind kind, Context& context) {
-  const auto& [match, counts] = layout;
+BoundaryMesh mesh_matched(const Model& model, const Scheme& scheme, const CapMatch& match,
+                          const PieceCounts& counts, const IntervalOptions& options, CellKind kind,
+                          Context& context) {
   if (const auto* shell = std::get_if<Shell>(&match))
     return mesh_shell_boundary(model, scheme, *shell, counts, options, kind, context);
   if (const auto* imprint = std::get_if<Imprint>(&match))

@@ -27,8 +27,9 @@ SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOpti
 
 // Its steps, for solids that are meshed together.
 /// Grids on the linking faces and meshes of the caps. Throws the surface stage's errors.
-BoundaryMesh mesh_layout(const Model& model, const Scheme& scheme, const Layout& layout,
-                         const IntervalOptions& options, CellKind kind, Context& context);
+BoundaryMesh mesh_matched(const Model& model, const Scheme& scheme, const CapMatch& match,
+                          const PieceCounts& counts, const IntervalOptions& options, CellKind kind,
+                          Context& context);
 /// The same mesh; throws InvalidMeshError where cells of caps lie over each other.
 BoundaryMesh without_overlaps(BoundaryMesh boundary);
 /// The volume within a boundary; the meshes of the faces `held` stay as they are.

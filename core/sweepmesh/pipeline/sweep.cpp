@@ -77,8 +77,11 @@ class SchemeTrier {
         if (!refused && !first_error) refused = result_.assessment;
       } catch (const Cancelled&) {
         throw;
-      } catch (const SolverError&) {
-        if (!refused && !first_error) throw;
+      } catch (const SolverError& e) {
+        if (!refused && !first_error) {
+          if (e.stage() != "surface") throw;  // what hangs on the numbers alone fails again
+          first_error = std::current_exception();
+        }
       } catch (const Error&) {
         if (!refused && !first_error) first_error = std::current_exception();
       }

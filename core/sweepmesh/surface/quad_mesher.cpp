@@ -9,6 +9,7 @@
 
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/numerics/gmsh/gmsh.h"
+#include "sweepmesh/surface/delaunay_quads.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
 #include "sweepmesh/surface/quad_cleanup.h"
@@ -116,6 +117,12 @@ std::optional<PlanarMesh> by_halving(const Task& task) {
       task);
 }
 
+std::optional<PlanarMesh> by_delaunay(const Task& task) {
+  const auto quads = delaunay_quads(task.loops, task.options.size);
+  if (!quads) return std::nullopt;
+  return cleaned(*quads, task);
+}
+
 /// Lets one way of meshing fail, as long as another one works.
 template <class Make>
 void try_to_add(const Make& make, std::vector<PlanarMesh>& out,
@@ -148,6 +155,8 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   }
   if (worst(out, task.options.metric) < poor) {
     try_to_add([&] { return by_halving(task); }, out, failure);
+    if (worst(out, task.options.metric) <= 0.0)
+      try_to_add([&] { return by_delaunay(task); }, out, failure);
     for (std::size_t i = 0, n = out.size(); i < n; ++i)
       out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
   }

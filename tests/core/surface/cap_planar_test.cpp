@@ -9,6 +9,7 @@
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/numerics/gmsh/temporary_directory.h"
 #include "sweepmesh/numerics/gmsh/worker.h"
+#include "sweepmesh/surface/delaunay_quads.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_mesher.h"
 
@@ -74,6 +75,21 @@ TEST_P(CapOutlines, triangles_fill_the_domain_and_keep_its_boundary) {
   const PlanarMesh mesh = mesh_planar(GetParam().loops, options, context);
   expect_mesh_of(GetParam().loops, mesh, 3);
   EXPECT_GT(quality(mesh.points, mesh).min, 0.25);
+}
+
+TEST_P(CapOutlines, paired_delaunay_triangles_fill_the_domain_without_another_mesher) {
+  Context context;
+  const auto quads = delaunay_quads(GetParam().loops, GetParam().size);
+  ASSERT_TRUE(quads);
+  const BoundaryAngles angles = {interior_angles(GetParam().loops)};
+  const auto cleaned = [&](const PlanarMesh& mesh) {
+    return smoothed(with_regular_valences(smoothed(mesh, {}, context), angles), {}, context);
+  };
+  PlanarMesh mesh = cleaned(*quads);
+  const PlanarMesh ringed = cleaned(with_rings(mesh, GetParam().loops, angles));
+  if (overall_quality(ringed) > overall_quality(mesh)) mesh = ringed;
+  expect_mesh_of(GetParam().loops, mesh, 4);
+  EXPECT_GT(quality(mesh.points, mesh).mean, 0.6);
 }
 
 TEST_P(CapOutlines, same_input_gives_the_same_mesh) {
