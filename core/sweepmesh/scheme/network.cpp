@@ -66,7 +66,10 @@ class Propagation {
     for (int c = first; c < first + count; ++c) own.push_back(own_costs(n_, choices_, c));
     const std::vector<std::array<double, 4>> corner(n_.corner.begin() + first,
                                                     n_.corner.begin() + first + count);
-    FaceCosts costs = face_costs(n_.problem, face, own, corner, n_.preferences);
+    // What narrow() below would remove need not be found: twice its slack, to be on the safe side.
+    const double others = choices_.bound - choices_.face_bound[face];
+    const double most = max_cost_ - others + 2 * slack(max_cost_);
+    FaceCosts costs = face_costs(n_.problem, face, own, corner, n_.preferences, most);
     effort_ += costs.work + kWorkPerCoedge * count;
     if (costs.best == kImpossible) return false;
     choices_.bound += costs.best - choices_.face_bound[face];
