@@ -44,14 +44,14 @@ StateCosts own_costs(const Network& n, const Choices& choices, int coedge) {
 
 class Propagation {
  public:
-  Propagation(const Network& n, double max_cost, Choices& choices, long& effort)
-      : n_(n), max_cost_(max_cost), choices_(choices), effort_(effort) {}
+  Propagation(const Network& n, double max_cost, Choices& choices, long& effort, long max_effort)
+      : n_(n), max_cost_(max_cost), choices_(choices), effort_(effort), max_effort_(max_effort) {}
 
   std::optional<Conflict> run(std::vector<int> touched, const Context& context) {
-    open_.insert(touched.begin(), touched.end());
-    while (!open_.empty()) {
+    for (const int face : touched) open(face);
+    while (!open_.empty() && effort_ <= max_effort_) {
       context.check("assess");
-      const int face = *open_.begin();
+      const int face = open_.begin()->second;
       open_.erase(open_.begin());
       if (!renew(face)) return Conflict{face};
     }
@@ -59,6 +59,8 @@ class Propagation {
   }
 
  private:
+  void open(int face) { open_.insert({n_.problem.n_coedges(face), face}); }
+
   bool renew(int face) {
     const int first = n_.problem.first_coedge(face), count = n_.problem.n_coedges(face);
     if (count == 0) return true;
@@ -89,7 +91,7 @@ class Propagation {
         left |= 1 << s;
     if (left == choices_.domain[coedge]) return;
     choices_.domain[coedge] = left;
-    open_.insert(n_.problem.coedges[n_.problem.coedges[coedge].partner].face);
+    open(n_.problem.coedges[n_.problem.coedges[coedge].partner].face);
   }
 
   bool narrow_role(int face, int first) {
@@ -104,7 +106,8 @@ class Propagation {
   double max_cost_;
   Choices& choices_;
   long& effort_;
-  std::set<int> open_;
+  long max_effort_;
+  std::set<std::pair<int, int>> open_;  ///< number of coedges, face
 };
 
 }  // namespace
@@ -152,8 +155,10 @@ void set_state(const Network& network, Choices& choices, int coedge, StateSet st
 }
 
 std::optional<Conflict> propagate(const Network& network, double max_cost, std::vector<int> touched,
-                                  Choices& choices, long& effort, const Context& context) {
-  return Propagation(network, max_cost, choices, effort).run(std::move(touched), context);
+                                  Choices& choices, long& effort, const Context& context,
+                                  long max_effort) {
+  return Propagation(network, max_cost, choices, effort, max_effort)
+      .run(std::move(touched), context);
 }
 
 bool is_decided(const Choices& choices) {
