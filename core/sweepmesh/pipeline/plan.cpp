@@ -103,10 +103,9 @@ void fill(const Model& model, const SweepOptions& options, Context& context, Swe
 }
 
 /// Empty where the solid cannot be divided, or swept so.
-std::optional<SweepPlan> plan_of_divided(const Model& model, const Picks& picks,
-                                         const SweepOptions& options, Strain strain, double size,
-                                         Context& context) {
-  const auto divided = divide_to_sweep(model, picks, options, strain, context);
+std::optional<SweepPlan> plan_of_divided(const Model& model, RoundDivision& division, Strain strain,
+                                         double size, Context& context) {
+  const auto divided = division.to_sweep(strain, context);
   if (!divided) return {};
   SweepPlan plan;
   plan.size = size;
@@ -119,14 +118,15 @@ std::optional<SweepPlan> plan_of_divided(const Model& model, const Picks& picks,
 SweepPlan plan_of_unsweepable(const Model& model, const Picks& picks, const SweepOptions& options,
                               Context& context, SweepPlan plan) {
   if (!may_be_divided(plan.assessment)) return plan;
-  if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+  RoundDivision division(model, picks, options);
+  if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
     return *divided;
   accept_strained(model, options, context, plan.assessment);
   if (plan.assessment.is_sweepable()) {
     fill(model, options, context, plan);
     return plan;
   }
-  auto divided = plan_of_divided(model, picks, options, Strain::accepted, plan.size, context);
+  auto divided = plan_of_divided(model, division, Strain::accepted, plan.size, context);
   return divided ? *divided : plan;
 }
 
@@ -148,7 +148,8 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
-    if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+    RoundDivision division(model, picks, options);
+    if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
       return *divided;
     throw;
   }

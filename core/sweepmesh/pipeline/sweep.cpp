@@ -139,11 +139,10 @@ bool names_parts(const std::string& warning) {
 
 /// Meshes the solid divided along its rounds, where that can be swept. False: the assessment stays
 /// that of the whole solid.
-bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& options,
-                  Strain strain, StageClock& clock, Context& context, SweepResult& result) {
+bool mesh_divided(const Model& model, RoundDivision& division, Strain strain, StageClock& clock,
+                  Context& context, SweepResult& result) {
   if (!may_be_divided(result.assessment)) return false;
-  auto divided =
-      clock.run("assess", [&] { return divide_to_sweep(model, picks, options, strain, context); });
+  auto divided = clock.run("assess", [&] { return division.to_sweep(strain, context); });
   if (!divided) return false;
   const DividedModel& parts = divided->parts;
   SweepResult part;
@@ -193,8 +192,9 @@ bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& 
 /// The solid as it is or, where that cannot be swept or meshed, divided. False: it cannot be swept.
 bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions& options,
                       StageClock& clock, Context& context, SweepResult& result) {
+  RoundDivision division(model, picks, options);
   const auto divided = [&](Strain strain) {
-    return mesh_divided(model, picks, options, strain, clock, context, result);
+    return mesh_divided(model, division, strain, clock, context, result);
   };
   if (!result.assessment.is_sweepable())
     return divided(Strain::refused) || mesh_strained(model, options, clock, context, result) ||
