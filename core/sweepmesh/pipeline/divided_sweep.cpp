@@ -143,7 +143,7 @@ bool is_used(const DividedModel& parts, const Scheme& scheme, EdgeId cut) {
   return false;
 }
 
-std::vector<CutGroup> used_groups(const Model& model, const DividedModel& parts,
+std::set<std::size_t> used_groups(const Model& model, const DividedModel& parts,
                                   const Scheme& scheme, const std::vector<CutGroup>& groups) {
   std::set<std::size_t> used;
   for (const EdgeId e : parts.model.edges()) {
@@ -160,9 +160,7 @@ std::vector<CutGroup> used_groups(const Model& model, const DividedModel& parts,
       }
     used.insert(owner);
   }
-  std::vector<CutGroup> out;
-  for (const std::size_t g : used) out.push_back(groups[g]);
-  return out;
+  return used;
 }
 
 std::optional<DividedSweep> divided_by(const Model& model, const std::vector<CutGroup>& groups,
@@ -184,21 +182,39 @@ bool may_be_divided(const Assessment& whole) {
   return !whole.folds;
 }
 
-std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
-                                            const SweepOptions& options, Strain strain,
-                                            Context& context) try {
-  const std::vector<CutGroup> groups = round_cuts(model);
-  if (groups.empty()) return {};
-  auto all = divided_by(model, groups, picks, options, strain, context);
-  if (!all) return {};
-  const auto used = used_groups(model, all->parts, all->assessment.schemes.front(), groups);
-  if (used.empty() || used.size() == groups.size()) return all;
-  auto least = divided_by(model, used, picks, options, strain, context);
-  return least ? std::move(least) : std::move(all);
+std::optional<DividedSweep> RoundDivisions::first(Context& context) {
+  groups_ = round_cuts(model_);
+  if (groups_.empty()) return {};
+  all_ = divided_by(model_, groups_, picks_, options_, strain_, context);
+  if (!all_) return {};
+  auto least = divided_as(all_->assessment.schemes[scheme_++], context);
+  return least ? std::move(least) : all_;
+}
+
+/// Empty where these cuts were made before, or are all of them or none.
+std::optional<DividedSweep> RoundDivisions::divided_as(const Scheme& scheme, Context& context) {
+  const auto used = used_groups(model_, all_->parts, scheme, groups_);
+  if (!is_made_.insert(used).second || used.empty() || used.size() == groups_.size()) return {};
+  std::vector<CutGroup> cuts;
+  for (const std::size_t g : used) cuts.push_back(groups_[g]);
+  return divided_by(model_, cuts, picks_, options_, strain_, context);
+}
+
+std::optional<DividedSweep> RoundDivisions::next(Context& context) try {
+  if (scheme_ == 0) return first(context);
+  while (all_ && scheme_ < all_->assessment.schemes.size())
+    if (auto other = divided_as(all_->assessment.schemes[scheme_++], context)) return other;
+  return {};
 } catch (const Cancelled&) {
   throw;
 } catch (const Error&) {
   return {};  // the solid stays what it is without being divided
+}
+
+std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
+                                            const SweepOptions& options, Strain strain,
+                                            Context& context) {
+  return RoundDivisions(model, picks, options, strain).next(context);
 }
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "sweepmesh/model/divided_model.h"
 #include "sweepmesh/pipeline/plan.h"
 #include "sweepmesh/pipeline/sweep.h"
+#include "sweepmesh/scheme/round_cuts.h"
 
 namespace sweepmesh {
 
@@ -27,6 +30,31 @@ enum class Strain { refused, accepted };
 std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
                                             const SweepOptions& options, Strain strain,
                                             Context& context);
+
+/// The ways to divide a solid that the schemes of the solid with all its rounds cut ask for, the
+/// cheapest scheme's first; each is found when it is asked for.
+class RoundDivisions {
+ public:
+  RoundDivisions(const Model& model, const Picks& picks, const SweepOptions& options, Strain strain)
+      : model_(model), picks_(picks), options_(options), strain_(strain) {}
+
+  /// As divide_to_sweep at first; then one that makes other cuts than all before, empty where no
+  /// scheme asks for one.
+  std::optional<DividedSweep> next(Context& context);
+
+ private:
+  std::optional<DividedSweep> first(Context& context);
+  std::optional<DividedSweep> divided_as(const Scheme& scheme, Context& context);
+
+  const Model& model_;
+  const Picks& picks_;
+  const SweepOptions& options_;
+  const Strain strain_;
+  std::vector<CutGroup> groups_;
+  std::optional<DividedSweep> all_;          ///< every group cut
+  std::set<std::set<std::size_t>> is_made_;  ///< sets of groups
+  std::size_t scheme_ = 0;                   ///< of all_, the next one to look at
+};
 
 /// Whether to divide a solid that has this verdict as it is: not where walls run against each
 /// other, which no division mends.
