@@ -142,21 +142,14 @@ void check_corners(const BaseMesh& base, int cell, const Patch& patch) {
                            caps_of(patch), {cell});
 }
 
-/// In units of the element size, and rounded to far less than that, so that a solid that is turned,
-/// moved or scaled is meshed alike.
-Point2 in_sizes(const Point2& p, double size) {
-  constexpr double grid = 1e6;
-  return (p * (grid / size)).array().round() / grid;
-}
-
-/// A patch in the plane, in units of the element size.
+/// A patch in R.
 struct PatchShape {
   PlanarLoops loops;
   std::vector<int> boundary;  ///< the base's nodes, loop after loop
   CapWishes caps;
 };
 
-/// The mesh of a patch in units of the element size, and the base's nodes of its boundary.
+/// The mesh of a patch, and the base's nodes of its boundary.
 struct PatchMesh {
   PlanarMesh plane;
   std::vector<int> boundary;
@@ -164,13 +157,13 @@ struct PatchMesh {
 
 /// The one part that asks the CAD model, which serves one thread at a time.
 PatchShape shape_of(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                    const Patch& patch, double size, const BaseMesh& base) {
+                    const Patch& patch, const BaseMesh& base) {
   PatchShape out;
   for (const auto& loop : patch.loops) {
     out.loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
       out.boundary.push_back(n);
-      out.loops.back().push_back(in_sizes(base.points[n], size));
+      out.loops.back().push_back(base.points[n]);
     }
   }
   draw_touching_apart(out.boundary, out.loops);
@@ -209,13 +202,13 @@ PatchMesh mesh_patch(const PatchShape& shape, const Patch& patch, const GivenPat
   }
 }
 
-void add_patch(const PatchMesh& mesh, const Patch& patch, int number, double size, BaseMesh& base) {
+void add_patch(const PatchMesh& mesh, const Patch& patch, int number, BaseMesh& base) {
   const PlanarMesh& plane = mesh.plane;
   std::vector<int> node = mesh.boundary;
   base.first_inner.push_back(base.n_nodes());
   for (int i = plane.n_boundary; i < plane.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
-    base.points.push_back(size * plane.points[i]);
+    base.points.push_back(plane.points[i]);
   }
   for (int c = 0; c < plane.n_cells(); ++c) {
     for (const int n : plane.cell(c)) base.cell_nodes.push_back(node[n]);
@@ -316,12 +309,12 @@ std::vector<int> loop_nodes(const BaseMesh& base, const Patch& patch) {
 }
 
 BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                   double size, CellKind kind, Context& context, const GivenPatches& given) {
+                   CellKind kind, Context& context, const GivenPatches& given) {
   BaseMesh base = mesh_base_edges(imprint, counts);
   const long n = static_cast<long>(imprint.patches.size());
   std::vector<PatchShape> shapes;
   for (const Patch& patch : imprint.patches)
-    shapes.push_back(shape_of(model, imprint, counts, patch, size, base));
+    shapes.push_back(shape_of(model, imprint, counts, patch, base));
   std::vector<PatchMesh> meshes(n);
   ThreadTeam team(context.n_threads());
   team.for_chunks(n, 1, [&](long p, long, long) {
@@ -330,8 +323,7 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
     meshes[p] = mesh_patch(shapes[p], imprint.patches[p],
                            own == given.end() ? nullptr : &own->second, kind, context);
   });
-  for (long p = 0; p < n; ++p)
-    add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), size, base);
+  for (long p = 0; p < n; ++p) add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), base);
   relax(imprint, context, base);
   throw_if_inverted(imprint, base);
   return base;
