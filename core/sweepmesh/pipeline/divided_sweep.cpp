@@ -143,7 +143,7 @@ bool is_used(const DividedModel& parts, const Scheme& scheme, EdgeId cut) {
   return false;
 }
 
-std::vector<CutGroup> used_groups(const Model& model, const DividedModel& parts,
+std::set<std::size_t> used_groups(const Model& model, const DividedModel& parts,
                                   const Scheme& scheme, const std::vector<CutGroup>& groups) {
   std::set<std::size_t> used;
   for (const EdgeId e : parts.model.edges()) {
@@ -160,9 +160,7 @@ std::vector<CutGroup> used_groups(const Model& model, const DividedModel& parts,
       }
     used.insert(owner);
   }
-  std::vector<CutGroup> out;
-  for (const std::size_t g : used) out.push_back(groups[g]);
-  return out;
+  return used;
 }
 
 /// With the verdict on the parts, sweepable or not.
@@ -197,11 +195,33 @@ void RoundDivision::divide(Context& context) {
 
 std::optional<DividedSweep> RoundDivision::swept(Strain strain, Context& context) {
   if (!is_known_) divide(context);
+  is_made_.clear();
+  scheme_ = 0;
   if (!all_ || !accept(*all_, strain, context)) return {};
-  const auto used = used_groups(model_, all_->parts, all_->assessment.schemes.front(), groups_);
-  if (used.empty() || used.size() == groups_.size()) return all_;
-  DividedSweep least = divided_by(model_, used, picks_, options_, context);
-  return accept(least, strain, context) ? std::move(least) : *all_;
+  auto least = divided_as(all_->assessment.schemes[scheme_++], strain, context);
+  return least ? std::move(least) : all_;
+}
+
+/// Empty where these cuts were made before, or are all of them or none.
+std::optional<DividedSweep> RoundDivision::divided_as(const Scheme& scheme, Strain strain,
+                                                      Context& context) {
+  const auto used = used_groups(model_, all_->parts, scheme, groups_);
+  if (!is_made_.insert(used).second || used.empty() || used.size() == groups_.size()) return {};
+  std::vector<CutGroup> cuts;
+  for (const std::size_t g : used) cuts.push_back(groups_[g]);
+  DividedSweep out = divided_by(model_, cuts, picks_, options_, context);
+  if (!accept(out, strain, context)) return {};
+  return out;
+}
+
+std::optional<DividedSweep> RoundDivision::other(Strain strain, Context& context) try {
+  while (all_ && scheme_ < all_->assessment.schemes.size())
+    if (auto out = divided_as(all_->assessment.schemes[scheme_++], strain, context)) return out;
+  return {};
+} catch (const Cancelled&) {
+  throw;
+} catch (const Error&) {
+  return {};
 }
 
 std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& context) try {
@@ -210,6 +230,12 @@ std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& cont
   throw;
 } catch (const Error&) {
   return {};  // the solid stays what it is without being divided
+}
+
+std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
+                                            const SweepOptions& options, Strain strain,
+                                            Context& context) {
+  return RoundDivisions(model, picks, options, strain).next(context);
 }
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "sweepmesh/model/divided_model.h"
 #include "sweepmesh/pipeline/plan.h"
@@ -35,16 +37,23 @@ class RoundDivision {
   /// pieces by length. Throws Cancelled only.
   std::optional<DividedSweep> to_sweep(Strain strain, Context& context);
 
+  /// After to_sweep: divided as another scheme of the solid with all its rounds cut asks for, by
+  /// other cuts than before. Empty where no scheme asks for any. Throws Cancelled only.
+  std::optional<DividedSweep> other(Strain strain, Context& context);
+
  private:
   void divide(Context& context);
   std::optional<DividedSweep> swept(Strain strain, Context& context);
+  std::optional<DividedSweep> divided_as(const Scheme& scheme, Strain strain, Context& context);
 
   const Model& model_;
   const Picks& picks_;
   const SweepOptions& options_;
   bool is_known_ = false;
   std::vector<CutGroup> groups_;
-  std::optional<DividedSweep> all_;  ///< with all cuts, sweepable or not
+  std::optional<DividedSweep> all_;          ///< with all cuts, sweepable or not
+  std::set<std::set<std::size_t>> is_made_;  ///< sets of groups
+  std::size_t scheme_ = 0;                   ///< of all_, the next one to look at
 };
 
 /// Whether to divide a solid that has this verdict as it is: not where walls run against each
