@@ -7,89 +7,10 @@
 #include <numeric>
 #include <utility>
 
+#include "sweepmesh/surface/plane_graph.h"
+
 namespace sweepmesh {
 namespace {
-
-/// A plane graph: darts are edges seen from one end, in counterclockwise order around each node.
-/// Nodes 0 .. n_kept - 1 always stay.
-class PlaneGraph {
- public:
-  PlaneGraph(int n_nodes, int n_kept) : n_kept_(n_kept), around_(n_nodes) {}
-
-  /// The dart from a to b; the one from b to a has the next number. Both have yet to be placed.
-  int add_edge(int a, int b) {
-    const int dart = static_cast<int>(origin_.size());
-    origin_.insert(origin_.end(), {a, b});
-    twin_.insert(twin_.end(), {dart + 1, dart});
-    return dart;
-  }
-  /// Behind those that the node has, counterclockwise.
-  void place(int dart) { around_[origin_[dart]].push_back(dart); }
-
-  int n_nodes() const { return static_cast<int>(around_.size()); }
-  int n_darts() const { return static_cast<int>(origin_.size()); }
-  int valence(int node) const { return static_cast<int>(around_[node].size()); }
-  int origin(int dart) const { return origin_[dart]; }
-  int twin(int dart) const { return twin_[dart]; }
-  bool is_alive(int dart) const { return std::ranges::count(around_[origin_[dart]], dart) > 0; }
-
-  /// The next dart around the face on the left.
-  int next(int dart) const {
-    const auto& row = around_[origin_[twin_[dart]]];
-    const auto at = std::ranges::find(row, twin_[dart]);
-    return at == row.begin() ? row.back() : *(at - 1);
-  }
-
-  void remove(int dart) {
-    for (const int d : {dart, twin_[dart]}) std::erase(around_[origin_[d]], d);
-  }
-
-  /// Takes away nodes with one edge, passes over those with two, until all others have three.
-  void simplify() {
-    std::vector<int> queue(around_.size() - n_kept_);
-    std::iota(queue.begin(), queue.end(), n_kept_);
-    while (!queue.empty()) {
-      const int node = queue.back();
-      queue.pop_back();
-      if (node < n_kept_ || around_[node].empty() || valence(node) > 2) continue;
-      const int first = around_[node].front(), last = around_[node].back();
-      const int before = twin_[first], behind = twin_[last];
-      if (first == last || origin_[before] == origin_[behind]) {
-        queue.push_back(origin_[before]);
-        remove(first);
-        if (first != last) remove(last);
-        continue;
-      }
-      around_[node].clear();
-      twin_[before] = behind;
-      twin_[behind] = before;
-    }
-  }
-
-  /// Flags the nodes that can be reached from those given.
-  std::vector<char> reached_from(std::vector<int> front) const {
-    std::vector<char> is_reached(around_.size(), 0);
-    for (const int n : front) is_reached[n] = 1;
-    while (!front.empty()) {
-      const int node = front.back();
-      front.pop_back();
-      for (const int d : around_[node])
-        if (const int to = origin_[twin_[d]]; !std::exchange(is_reached[to], 1))
-          front.push_back(to);
-    }
-    return is_reached;
-  }
-
-  void clear_unreached(const std::vector<char>& is_reached) {
-    for (int n = 0; n < n_nodes(); ++n)
-      if (!is_reached[n]) around_[n].clear();
-  }
-
- private:
-  const int n_kept_;
-  std::vector<int> origin_, twin_;
-  std::vector<std::vector<int>> around_;
-};
 
 /// The triangles around a boundary node and the directions of their sides.
 struct Fan {
@@ -103,7 +24,12 @@ class DualMaker {
       : mesh_(triangles),
         wished_(wished),
         next_(triangles.n_boundary, -1),
-        slots_(6 * triangles.n_cells(), -1) {
+        slots_(6 * triangles.n_cells(), -1),
+        points_(triangles.points.begin(), triangles.points.begin() + triangles.n_boundary) {
+    for (int t = 0; t < mesh_.n_cells(); ++t)
+      points_.push_back(
+          (mesh_.points[corner(t, 0)] + mesh_.points[corner(t, 1)] + mesh_.points[corner(t, 2)]) /
+          3.0);
     for (int t = 0; t < mesh_.n_cells(); ++t)
       for (int i = 0; i < 3; ++i) triangle_at_[{corner(t, i), corner(t, i + 1)}] = t;
     for (const auto& [edge, t] : triangle_at_)
@@ -120,6 +46,7 @@ class DualMaker {
       is_done = !remove_useless_edges(graph);
     }
     if (!is_connected(graph)) return std::nullopt;
+    contract_triangles(graph);
     return cells_of(graph);
   }
 
@@ -251,12 +178,20 @@ class DualMaker {
     return out;
   }
 
+  /// By dart: the face on its left, -1 outside.
+  static std::vector<int> face_at_darts(const PlaneGraph& graph,
+                                        const std::vector<std::vector<int>>& faces) {
+    std::vector<int> out(graph.n_darts(), -1);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (const int d : faces[f]) out[d] = static_cast<int>(f);
+    return out;
+  }
+
   /// Edges with the same face on both sides, and one of each two that bound a face by themselves.
   bool remove_useless_edges(PlaneGraph& graph) const {
-    std::vector<int> face(graph.n_darts(), -1), useless;
+    std::vector<int> useless;
     const auto faces = faces_of(graph);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      for (const int d : faces[f]) face[d] = static_cast<int>(f);
+    const std::vector<int> face = face_at_darts(graph, faces);
     for (const auto& darts : faces) {
       for (const int d : darts)
         if (face[d] == face[graph.twin(d)] && d < graph.twin(d)) useless.push_back(d);
@@ -265,6 +200,30 @@ class DualMaker {
     for (const int d : useless)
       if (graph.is_alive(d)) graph.remove(d);
     return !useless.empty();
+  }
+
+  /// Cells of three corners inside become nodes, where the cells around are left four corners.
+  void contract_triangles(PlaneGraph& graph) {
+    constexpr std::size_t enough = 5;
+    const auto faces = faces_of(graph);
+    const std::vector<int> face = face_at_darts(graph, faces);
+    std::vector<char> is_touched(faces.size(), 0);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto& darts = faces[f];
+      const bool is_inside =
+          std::ranges::all_of(darts, [&](int d) { return graph.origin(d) >= mesh_.n_boundary; });
+      if (darts.size() != 3 || !is_inside || is_touched[f]) continue;
+      const auto beyond = [&](int d) { return face[graph.twin(d)]; };
+      if (!std::ranges::all_of(darts, [&](int d) {
+            return !is_touched[beyond(d)] && faces[beyond(d)].size() >= enough;
+          }))
+        continue;
+      for (const int d : darts) is_touched[beyond(d)] = 1;
+      Point2 middle = Point2::Zero();
+      for (const int d : darts) middle += points_[graph.origin(d)] / 3.0;
+      points_[graph.origin(darts[0])] = middle;
+      graph.contract(darts);
+    }
   }
 
   bool is_connected(const PlaneGraph& graph) const {
@@ -276,15 +235,13 @@ class DualMaker {
   std::optional<PlanarMesh> cells_of(const PlaneGraph& graph) const {
     PlanarMesh out;
     out.n_boundary = mesh_.n_boundary;
-    out.points.assign(mesh_.points.begin(), mesh_.points.begin() + mesh_.n_boundary);
+    out.points.assign(points_.begin(), points_.begin() + mesh_.n_boundary);
     std::vector<int> number(graph.n_nodes(), -1);
     std::iota(number.begin(), number.begin() + mesh_.n_boundary, 0);
     for (int t = 0; t < mesh_.n_cells(); ++t) {
       if (graph.valence(centre(t)) == 0) continue;
       number[centre(t)] = out.n_nodes();
-      out.points.push_back(
-          (mesh_.points[corner(t, 0)] + mesh_.points[corner(t, 1)] + mesh_.points[corner(t, 2)]) /
-          3.0);
+      out.points.push_back(points_[centre(t)]);
     }
     for (const auto& darts : faces_of(graph)) {
       std::vector<int> cell;
@@ -304,6 +261,7 @@ class DualMaker {
   std::vector<int> next_;                           ///< along the boundary
   std::vector<std::vector<int>> links_;             ///< by boundary node: triangles
   std::vector<int> slots_;
+  std::vector<Point2> points_;  ///< of the boundary nodes, then of the centres
 };
 
 struct Cut {

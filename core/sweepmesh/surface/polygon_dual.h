@@ -1,19 +1,24 @@
 // Polygons from triangles: the dual of a triangle mesh on a boundary that is given.
 //
-//      o-----o-----o      Every inside node of the triangles becomes a cell whose corners are the
-//      |  .--+--.  |      centres of the triangles around it, mostly a hexagon. The boundary's own
-//      | /   |   \ |      nodes (o) stay, and no others come to it: a boundary edge is the foot of
-//      a
-//      +'  .-+-.  '+      cell. Where n cells are to meet at a boundary node, it is linked with the
-//      |  /     \  |      centres of the n - 1 triangles of its fan that lie in the directions
-//      which o-+       +-o      divide its angle into n equal parts.
+//      o-----o-----o
+//      |   .-+-.   |    o  boundary nodes        +  centres of triangles
+//      o--+     +--o
+//      |   '-+-'   |
+//      o-----o-----o
+//
+// Every inside node of the triangles becomes a cell whose corners are the centres of the triangles
+// around it, mostly a hexagon. The boundary's own nodes stay, and no others come to it: a boundary
+// edge is the foot of a cell. Where n cells are to meet at a boundary node, it is linked with the
+// centres of the n - 1 triangles of its fan that lie in the directions which divide its angle into
+// n equal parts.
 //
 // The graph of boundary edges, edges from centre to centre, and links is plane, with the order of
 // edges at each node told by the triangles; its faces are the cells. A corner of a convex cell has
 // at least three edges, unless it is the boundary's: centres with one edge are taken away with it,
 // those with two are passed over, and what hangs on a single edge or lies between two equal ones
-// goes as well. Every plane graph that is left is as good as its smoothing: with links in number,
-// it is three-connected and has convex drawings (Tutte, How to draw a graph, 1963).
+// goes as well. A triangle inside that has large cells around it becomes a node. Every plane graph
+// that is left is as good as its smoothing: with links in number, it is three-connected and has
+// convex drawings (Tutte, How to draw a graph, 1963).
 #pragma once
 
 #include <optional>
