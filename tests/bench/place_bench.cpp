@@ -107,7 +107,7 @@ Seconds affine_only(Input& b, int repeats, int threads) {
   ThreadTeam team(threads);
   return seconds_of(repeats, [&] {
     const BaseMetric metric = make_base_metric(b.extrusion, b.fixed, b.points, team);
-    const LayerMotion motion = make_layer_motion(b.extrusion, b.fixed, b.points, metric);
+    const LayerMotion motion = make_layer_motion(b.extrusion, b.fixed, b.points, metric, team);
     set_predictions(b.extrusion, motion, b.fixed, b.points, team);
   });
 }

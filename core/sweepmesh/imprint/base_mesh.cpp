@@ -62,54 +62,62 @@ void draw_touching_apart(const std::vector<int>& node, PlanarLoops& loops) {
   }
 }
 
+/// What the caps ask of a patch's mesh.
+struct CapWishes {
+  BoundaryAngles angles;
+  std::vector<CapOutline> outlines;
+};
+
 /// Boundary nodes where a single cell would have to open its corner almost flat in one of the
-/// shapes.
-int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
+/// shapes, and those where the boundary alone makes a corner flat.
+int n_flat_corners(const PlanarMesh& mesh, const CapWishes& caps) {
   constexpr double flat = 160.0 / 180.0 * std::numbers::pi;
   std::vector<int> count(mesh.n_nodes(), 0);
   for (const int n : mesh.cell_nodes) ++count[n];
+  const std::vector<char> is_tied = tied_corners(mesh, caps.outlines);
   int n_flat = 0;
   for (int i = 0; i < mesh.n_boundary; ++i)
-    n_flat += std::any_of(angles.begin(), angles.end(),
-                          [&](const auto& row) { return row[i] > flat * count[i]; });
+    n_flat += is_tied[i] || std::any_of(caps.angles.begin(), caps.angles.end(),
+                                        [&](const auto& row) { return row[i] > flat * count[i]; });
   return n_flat;
 }
 
 /// Where every candidate has flat corners: the same with a ring of cells along the boundary, in
 /// which every node has two cells at least.
-void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Context& context,
+void add_ringed(const PlanarLoops& loops, const CapWishes& caps, const Context& context,
                 std::vector<PlanarMesh>& candidates) {
   if (std::any_of(candidates.begin(), candidates.end(),
-                  [&](const PlanarMesh& m) { return n_flat_corners(m, angles) == 0; }))
+                  [&](const PlanarMesh& m) { return n_flat_corners(m, caps) == 0; }))
     return;
   for (std::size_t i = 0, n = candidates.size(); i < n; ++i) {
-    const PlanarMesh ringed = smoothed(with_rings(candidates[i], loops, angles), {}, context);
-    candidates.push_back(smoothed(with_regular_valences(ringed, angles), {}, context));
+    const PlanarMesh ringed = smoothed(
+        with_rings(candidates[i], loops, caps.angles, tied_corners(candidates[i], caps.outlines)),
+        {}, context);
+    candidates.push_back(smoothed(with_regular_valences(ringed, caps.angles), {}, context));
   }
 }
 
 std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
-                                          const BoundaryAngles& angles) {
+                                          const CapWishes& caps) {
   const auto rank = [&](const PlanarMesh& m) {
-    return std::pair(-n_flat_corners(m, angles), overall_quality(m));
+    return std::pair(-n_flat_corners(m, caps), overall_quality(m));
   };
   return std::max_element(candidates.begin(), candidates.end(),
                           [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
 /// Where the best candidate has inverted cells: the same with the domain cut in parts.
-void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
-                 const BoundaryAngles& angles, const Context& context,
-                 std::vector<PlanarMesh>& candidates) {
-  const PlanarMesh& best = *best_of(candidates, angles);
+void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options, const CapWishes& caps,
+                 const Context& context, std::vector<PlanarMesh>& candidates) {
+  const PlanarMesh& best = *best_of(candidates, caps);
   if (quality(best.points, best).n_inverted == 0) return;
   if (auto divided = mesh_divided(loops, best, options, context))
     candidates.push_back(std::move(*divided));
 }
 
-PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
+PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const CapWishes& caps,
                           const Context& context) {
-  const auto best = best_of(candidates, angles);
+  const auto best = best_of(candidates, caps);
   constexpr double worth_raising = 0.7;
   constexpr int n_rounds = 6;
   if (quality(best->points, *best).n_inverted == 0)
@@ -134,21 +142,14 @@ void check_corners(const BaseMesh& base, int cell, const Patch& patch) {
                            caps_of(patch), {cell});
 }
 
-/// In units of the element size, and rounded to far less than that, so that a solid that is turned,
-/// moved or scaled is meshed alike.
-Point2 in_sizes(const Point2& p, double size) {
-  constexpr double grid = 1e6;
-  return (p * (grid / size)).array().round() / grid;
-}
-
-/// A patch in the plane, in units of the element size.
+/// A patch in R.
 struct PatchShape {
   PlanarLoops loops;
   std::vector<int> boundary;  ///< the base's nodes, loop after loop
-  BoundaryAngles angles;
+  CapWishes caps;
 };
 
-/// The mesh of a patch in units of the element size, and the base's nodes of its boundary.
+/// The mesh of a patch, and the base's nodes of its boundary.
 struct PatchMesh {
   PlanarMesh plane;
   std::vector<int> boundary;
@@ -156,17 +157,18 @@ struct PatchMesh {
 
 /// The one part that asks the CAD model, which serves one thread at a time.
 PatchShape shape_of(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                    const Patch& patch, double size, const BaseMesh& base) {
+                    const Patch& patch, const BaseMesh& base) {
   PatchShape out;
   for (const auto& loop : patch.loops) {
     out.loops.emplace_back();
     for (const int n : nodes_of(base, loop)) {
       out.boundary.push_back(n);
-      out.loops.back().push_back(in_sizes(base.points[n], size));
+      out.loops.back().push_back(base.points[n]);
     }
   }
   draw_touching_apart(out.boundary, out.loops);
-  out.angles = patch_angles(model, imprint, counts, patch, out.loops);
+  out.caps = {patch_angles(model, imprint, counts, patch, out.loops),
+              cap_outlines(model, imprint, counts, patch)};
   return out;
 }
 
@@ -174,12 +176,12 @@ PlanarMesh chosen_mesh(const PatchShape& shape, CellKind kind, const Context& co
   PlanarMeshOptions options;
   options.kind = kind;
   std::vector<PlanarMesh> candidates =
-      candidate_meshes(shape.loops, options, shape.angles, context);
+      candidate_meshes(shape.loops, options, shape.caps.angles, context);
   if (options.kind == CellKind::quad) {
-    add_ringed(shape.loops, shape.angles, context, candidates);
-    add_divided(shape.loops, options, shape.angles, context, candidates);
+    add_ringed(shape.loops, shape.caps, context, candidates);
+    add_divided(shape.loops, options, shape.caps, context, candidates);
   }
-  return best_candidate(std::move(candidates), shape.angles, context);
+  return best_candidate(std::move(candidates), shape.caps, context);
 }
 
 /// A mesh that is given stays as it is. Errors name the patch's caps.
@@ -200,13 +202,13 @@ PatchMesh mesh_patch(const PatchShape& shape, const Patch& patch, const GivenPat
   }
 }
 
-void add_patch(const PatchMesh& mesh, const Patch& patch, int number, double size, BaseMesh& base) {
+void add_patch(const PatchMesh& mesh, const Patch& patch, int number, BaseMesh& base) {
   const PlanarMesh& plane = mesh.plane;
   std::vector<int> node = mesh.boundary;
   base.first_inner.push_back(base.n_nodes());
   for (int i = plane.n_boundary; i < plane.n_nodes(); ++i) {
     node.push_back(base.n_nodes());
-    base.points.push_back(size * plane.points[i]);
+    base.points.push_back(plane.points[i]);
   }
   for (int c = 0; c < plane.n_cells(); ++c) {
     for (const int n : plane.cell(c)) base.cell_nodes.push_back(node[n]);
@@ -307,12 +309,12 @@ std::vector<int> loop_nodes(const BaseMesh& base, const Patch& patch) {
 }
 
 BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                   double size, CellKind kind, Context& context, const GivenPatches& given) {
+                   CellKind kind, Context& context, const GivenPatches& given) {
   BaseMesh base = mesh_base_edges(imprint, counts);
   const long n = static_cast<long>(imprint.patches.size());
   std::vector<PatchShape> shapes;
   for (const Patch& patch : imprint.patches)
-    shapes.push_back(shape_of(model, imprint, counts, patch, size, base));
+    shapes.push_back(shape_of(model, imprint, counts, patch, base));
   std::vector<PatchMesh> meshes(n);
   ThreadTeam team(context.n_threads());
   team.for_chunks(n, 1, [&](long p, long, long) {
@@ -321,8 +323,7 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
     meshes[p] = mesh_patch(shapes[p], imprint.patches[p],
                            own == given.end() ? nullptr : &own->second, kind, context);
   });
-  for (long p = 0; p < n; ++p)
-    add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), size, base);
+  for (long p = 0; p < n; ++p) add_patch(meshes[p], imprint.patches[p], static_cast<int>(p), base);
   relax(imprint, context, base);
   throw_if_inverted(imprint, base);
   return base;

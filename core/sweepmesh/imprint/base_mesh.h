@@ -14,7 +14,7 @@
 namespace sweepmesh {
 
 struct BaseMesh {
-  std::vector<Point2> points;
+  std::vector<Point2> points;  ///< in R
   /// Counterclockwise polygons in compressed rows, patch by patch.
   std::vector<int> cell_offset = {0}, cell_nodes;
   std::vector<int> cell_patch;
@@ -49,6 +49,6 @@ std::vector<int> loop_nodes(const BaseMesh& base, const Patch& patch);
 /// own. `counts` are the mesh edges on each imprint edge. Throws what mesh_planar throws, naming
 /// the caps.
 BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
-                   double size, CellKind kind, Context& context, const GivenPatches& given = {});
+                   CellKind kind, Context& context, const GivenPatches& given = {});
 
 }  // namespace sweepmesh

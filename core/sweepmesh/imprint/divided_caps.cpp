@@ -118,10 +118,17 @@ class CapDivider {
     for (const Loop& loop : model_.loops(cap_))
       for (const Coedge& c : loop)
         for (const DirectedEdge& d : chain(c)) {
-          const Box2 box = box_of(imprint_.edges[d.edge].points);
+          const Box2 box = box_of(line_of(d.edge));
           all = all ? Box2{all->low.cwiseMin(box.low), all->high.cwiseMax(box.high)} : box;
         }
     spacing_ = (all->high - all->low).norm() / n_across;
+  }
+
+  /// As long as it is in the model.
+  Polyline line_of(int edge) const {
+    Polyline line = imprint_.edges[edge].points;
+    for (Point2& p : line) p *= imprint_.unit;
+    return line;
   }
 
   std::vector<DirectedEdge> chain(const Coedge& c) const {
@@ -147,7 +154,7 @@ class CapDivider {
       const ImprintEdge& edge = imprint_.edges[d.edge];
       const auto trace = std::find_if(edge.traces.begin(), edge.traces.end(),
                                       [&](const Trace& tr) { return tr.edge == e; });
-      Polyline line = edge.points;
+      Polyline line = line_of(d.edge);
       if (d.reversed) std::reverse(line.begin(), line.end());
       const double whole = length(line), first = d.reversed ? trace->last : trace->first;
       const double last = d.reversed ? trace->first : trace->last;
@@ -225,8 +232,8 @@ class CapDivider {
       const ImprintEdge& edge = imprint_.edges[e.edge];
       for (const int v : {edge.start, edge.end})
         if (!is_on_outline(v) && at_vertex.try_emplace(v, points.size()).second)
-          points.push_back(imprint_.vertices[v].point);
-      const auto samples = spread(edge.points, spacing_);
+          points.push_back(imprint_.unit * imprint_.vertices[v].point);
+      const auto samples = spread(line_of(e.edge), spacing_);
       for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
         at_edge[e.edge].push_back(points.size());
         points.push_back(samples[i].point);

@@ -56,10 +56,11 @@ struct Patch {
 /// Curves that were brought together because they lie nearer than the merge distance.
 struct Merge {
   EdgeId kept, merged;
-  double distance = 0.0;  ///< the largest between them, where they are one
+  double distance = 0.0;  ///< the largest between them, where they are one; a length of the model
 };
 
 struct Imprint {
+  double unit = 1.0;              ///< the length by which R is measured: the element size
   std::vector<int> vertex_level;  ///< by VertexId (sweep_levels.h)
   std::vector<ImprintVertex> vertices;
   std::vector<ImprintEdge> edges;

@@ -16,12 +16,13 @@ namespace {
 
 constexpr double coincidence_of_size = 1e-3;  ///< what CAD models leave apart is far below this
 
-/// Well below the shortest curve, too: both of its ends must not become one.
+/// In element sizes. Well below the shortest curve, too: both of its ends must not become one.
 double coincidence(const Model& model, const Walls& walls, const ImprintOptions& options) {
   constexpr double safety = 10.0, share_of_edge = 0.1;
-  double out = coincidence_of_size * options.size;
-  for (const EdgeId e : walls.edges) out = std::min(out, share_of_edge * model.length(e));
-  return std::max(safety * model.tolerances().point, out);
+  double out = coincidence_of_size;
+  for (const EdgeId e : walls.edges)
+    out = std::min(out, share_of_edge * model.length(e) / options.size);
+  return std::max(safety * model.tolerances().point / options.size, out);
 }
 
 void check(const ImprintOptions& options) {
@@ -47,7 +48,7 @@ Reference reference_of(const Model& model, const Scheme& scheme, const Walls& wa
   Point3 best_direction = Point3::Zero();
   double most = -1.0;
   for (const Point3& direction : common_directions(model, scheme, level)) {
-    Reference seen = projected_reference(model, walls, direction, tolerance, context);
+    Reference seen = projected_reference(model, walls, direction, size, tolerance, context);
     if (is_upright(walls, seen)) return seen;
     const double area = upright_area(model, walls, seen);
     if (area <= most * (1.0 + model.tolerances().relative)) continue;
@@ -58,16 +59,16 @@ Reference reference_of(const Model& model, const Scheme& scheme, const Walls& wa
   if (!best)
     throw ImprintError(ImprintFailure::unreachable,
                        "The columns of the sweep do not run along one direction.", {});
-  return slab_reference(model, scheme, walls, best_direction, *best, size, context);
+  return slab_reference(model, scheme, walls, best_direction, *best, context);
 }
 
 /// Slabs whose sections turn on edge are carried to anywhere; nothing can be read there.
 void refuse_runaways(const Model& model, const Reference& reference) {
   constexpr double farthest = 100.0;  // in sizes of the model
-  const double limit = farthest * model.tolerances().model_size;
+  const double limit = farthest * model.tolerances().model_size / reference.unit;
   for (const ReferenceCurve& curve : reference.curves)
     for (const Point2& p : curve.points)
-      if (!((p - reference.project(reference.origin)).norm() < limit))
+      if (!(p.norm() < limit))
         throw ImprintError(ImprintFailure::unreachable,
                            name_of(curve.edge) + " cannot be carried to the other levels.",
                            {name_of(curve.edge)});
@@ -84,8 +85,12 @@ Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOpti
   const Reference reference =
       reference_of(model, scheme, walls, level, tolerance, options.size, context);
   refuse_runaways(model, reference);
-  const double merge = std::max(tolerance, options.merge_fraction * options.size);
-  return imprint_of(model, scheme, walls, overlay(model, scheme, walls, reference, merge, context));
+  const double merge = std::max(tolerance, options.merge_fraction);
+  Imprint out =
+      imprint_of(model, scheme, walls, overlay(model, scheme, walls, reference, merge, context));
+  out.unit = options.size;
+  for (Merge& m : out.merges) m.distance *= out.unit;
+  return out;
 }
 
 }  // namespace sweepmesh

@@ -1,6 +1,7 @@
 #include "sweepmesh/imprint/panels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -155,18 +156,23 @@ void keep_growing(Heights& height) {
 
 }  // namespace
 
-Heights level_heights(const Model& model, const Walls& walls, const Point3& direction) {
+Heights level_heights(const Model& model, const Walls& walls, const Point3& direction,
+                      const Reference& seen) {
+  const auto height = [&](VertexId v) {
+    const double h = direction.dot(model.point(v) - seen.origin) / seen.unit;
+    return std::round(h / seen.lattice) * seen.lattice;
+  };
   std::map<int, std::pair<double, int>> sums;
   for (const EdgeId e : walls.edges) {
     auto& [sum, n] = sums[walls.level[e.index]];
-    sum += direction.dot(model.point(model.start(e)));
+    sum += height(model.start(e));
     ++n;
   }
   Heights out;
   for (const auto& [level, sum] : sums) out[level] = sum.first / sum.second;
   for (std::size_t i = 0; i < walls.vertex_level.size(); ++i)
     if (const int l = walls.vertex_level[i]; l >= 0 && !out.contains(l))
-      out[l] = direction.dot(model.point(VertexId{i}));
+      out[l] = height(VertexId{i});
   keep_growing(out);
   return out;
 }

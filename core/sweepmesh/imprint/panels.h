@@ -27,9 +27,11 @@ struct Panel {
   }
 };
 
-/// Mean heights of the levels along a direction, by level; made to grow with the levels.
+/// Mean heights of the levels along a direction, by level; made to grow with the levels. In units
+/// of R and on its lattice.
 using Heights = std::map<int, double>;
-Heights level_heights(const Model& model, const Walls& walls, const Point3& direction);
+Heights level_heights(const Model& model, const Walls& walls, const Point3& direction,
+                      const Reference& seen);
 
 /// Of all linking faces; `seen` are the edges' curves as seen along the sweep. A face whose lower
 /// and upper edges lie over each other may have any profile; it is cut where its edges begin and

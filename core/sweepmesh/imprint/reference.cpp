@@ -57,9 +57,7 @@ class Sampler {
  private:
   static constexpr int deepest_ = 12;
 
-  Point2 at(double t) const {
-    return on_lattice(view_.project(model_.point(edge_, t)), view_.lattice());
-  }
+  Point2 at(double t) const { return view_.project(model_.point(edge_, t)); }
 
   void add(double t, const Point2& p) {
     out_.t.push_back(t);
@@ -151,17 +149,20 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 }
 
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
-                              double coincidence, const Context& context) {
+                              double unit, double coincidence, const Context& context) {
+  constexpr int finer = 12;  // powers of two, than the coincidence
   Reference reference;
   look_along(model, walls, direction, reference);
+  reference.unit = unit;
   reference.coincidence = coincidence;
+  reference.lattice = std::exp2(std::floor(std::log2(coincidence)) - finer);
   for (const EdgeId e : walls.edges) {
     context.check("imprint");
     reference.curves.push_back(Sampler(model, e, reference, coincidence / 4).sample());
   }
   for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
   for (const VertexId v : model.vertices())
-    reference.vertex[v.index] = on_lattice(reference.project(model.point(v)), reference.lattice());
+    reference.vertex[v.index] = reference.project(model.point(v));
   return reference;
 }
 

@@ -3,6 +3,11 @@
 // Solids whose columns end over each other (every linking face's lower and upper edges are one
 // curve when seen along one direction, whatever the face does between them): R is the projection
 // along that direction. The direction need not be an axis, and caps may be inclined or curved.
+//
+// R is the same, bit for bit, for a solid that is turned, moved or scaled, though the coordinates
+// of that differ by rounding: its frame is tied to an edge, its unit is the element size, and what
+// is seen lies on a lattice of a power of two, far below the coincidence and far above the
+// rounding.
 #pragma once
 
 #include <vector>
@@ -23,16 +28,16 @@ struct ReferenceCurve {
 };
 
 struct Reference {
-  /// The view: coordinates across the direction.
+  /// The view: coordinates across the direction, in units of the element size.
   Point3 origin = Point3::Zero();
   Eigen::Matrix<double, 2, 3> axes = Eigen::Matrix<double, 2, 3>::Zero();
-  Point2 project(const Point3& p) const { return axes * (p - origin); }
+  double unit = 1.0;     ///< the element size
+  double lattice = 0.0;  ///< coordinates are multiples of it
+  Point2 project(const Point3& p) const { return on_lattice(axes * (p - origin) / unit, lattice); }
 
   std::vector<ReferenceCurve> curves;
   std::vector<Point2> vertex;  ///< by VertexId; zero where no curve ends and no column passes
   double coincidence = 0.0;    ///< curves nearer than this are the same one in the CAD model
-  /// What coordinates are rounded to, far below the coincidence.
-  double lattice() const { return coincidence / (1 << 20); }
 };
 
 /// Directions along which every axial edge rises from its lower to its upper end: their mean, and
@@ -41,9 +46,10 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
                                       const std::vector<int>& level);
 
 /// All curves by projection along `direction` (seen against it, so that a source's normal points to
-/// the viewer). `coincidence` > 0 also bounds the chord error of the curves (a quarter of it).
+/// the viewer). `unit` > 0 is a length of the model; `coincidence` > 0, in units, also bounds the
+/// chord error of the curves (a quarter of it).
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
-                              double coincidence, const Context& context);
+                              double unit, double coincidence, const Context& context);
 
 /// Whether a linking face's lower and upper edges lie over each other, and the ends of its axial
 /// ones, or those of all linking faces do: then the projection is R.

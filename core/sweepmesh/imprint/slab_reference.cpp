@@ -32,13 +32,12 @@ std::vector<double> apart(const Polyline& line, const std::set<double>& position
 class SlabWalker {
  public:
   SlabWalker(const Model& model, const Scheme& scheme, const Walls& walls, const Point3& direction,
-             const Reference& seen, double size, const Context& context)
+             const Reference& seen, const Context& context)
       : model_(model),
         walls_(walls),
         seen_(seen),
-        size_(size),
         context_(context),
-        height_(level_heights(model, walls, direction)),
+        height_(level_heights(model, walls, direction, seen)),
         panels_(find_panels(model, scheme, walls, seen, height_)),
         in_r_(panels_.size()),
         out_(seen) {}
@@ -115,7 +114,7 @@ class SlabWalker {
   /// Adds points where the outline has some, so that both bend alike in R.
   void refine(const std::vector<OutlinePart>& parts, ReferenceCurve& c) const {
     std::set<double> positions;
-    for (const PolylinePoint& p : resampled(c.points, size_ / 2)) positions.insert(p.position);
+    for (const PolylinePoint& p : resampled(c.points, spacing_ / 2)) positions.insert(p.position);
     for (const OutlinePart& part : parts)
       for (const Point2& x : part.from) {
         const PolylinePoint foot = nearest(c.points, x);
@@ -137,7 +136,7 @@ class SlabWalker {
     const auto loops = joined_loops(parts, 2 * seen_.coincidence);
     std::map<std::pair<double, double>, Point2> image;
     const auto key = [&](const Point2& p) {
-      const Point2 rounded = on_lattice(p, seen_.lattice());
+      const Point2 rounded = on_lattice(p, seen_.lattice);
       return std::pair(rounded.x(), rounded.y());
     };
     std::vector<Point2> inside;
@@ -228,7 +227,7 @@ class SlabWalker {
       std::vector<OutlinePart> next = loops_at(i), step;
       for (std::size_t l = 0; l < next.size(); ++l) step.push_back({here[l].to, next[l].to});
       if (step.empty() || largest_move(step) > seen_.coincidence)
-        points = carried_inside(step, points, size_, context_);
+        points = carried_inside(step, points, spacing_, context_);
       here = std::move(next);
     }
     return points;
@@ -349,7 +348,7 @@ class SlabWalker {
   const Model& model_;
   const Walls& walls_;
   const Reference& seen_;
-  const double size_;
+  static constexpr double spacing_ = 1.0;  ///< of what is triangulated
   const Context& context_;
   const Heights height_;
   std::vector<Panel> panels_;
@@ -363,9 +362,8 @@ class SlabWalker {
 }  // namespace
 
 Reference slab_reference(const Model& model, const Scheme& scheme, const Walls& walls,
-                         const Point3& direction, const Reference& seen, double size,
-                         const Context& context) {
-  return SlabWalker(model, scheme, walls, direction, seen, size, context).run();
+                         const Point3& direction, const Reference& seen, const Context& context) {
+  return SlabWalker(model, scheme, walls, direction, seen, context).run();
 }
 
 }  // namespace sweepmesh

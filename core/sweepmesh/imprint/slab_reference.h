@@ -11,11 +11,10 @@
 
 namespace sweepmesh {
 
-/// `direction` as in projected_reference, `seen` the curves seen along it. `size`: of mesh edges.
+/// `direction` as in projected_reference, `seen` the curves seen along it, in element sizes.
 /// Throws ImprintError (unreachable) where a linking face has no columns to follow, or a section no
 /// map without folds.
 Reference slab_reference(const Model& model, const Scheme& scheme, const Walls& walls,
-                         const Point3& direction, const Reference& seen, double size,
-                         const Context& context);
+                         const Point3& direction, const Reference& seen, const Context& context);
 
 }  // namespace sweepmesh

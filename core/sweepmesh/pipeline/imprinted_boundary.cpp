@@ -48,7 +48,7 @@ class BoundaryMesher {
     take_linking_faces(scheme_, given_, out_.surface);
     base_ = mesh_base_edges(imprint_, counts_.edge);
     find_base_nodes();
-    base_ = mesh_base(model_, imprint_, counts_.edge, options_.size, kind_, context_, find_given());
+    base_ = mesh_base(model_, imprint_, counts_.edge, kind_, context_, find_given());
     make_columns();
     add_linking_columns();
     for (const FaceId f : model_.faces())
@@ -267,7 +267,7 @@ class BoundaryMesher {
       }
       plane.add_cell(nodes);
     }
-    for (const int b : out.base_node) plane.points.push_back(base_.points[b]);
+    for (const int b : out.base_node) plane.points.push_back(imprint_.unit * base_.points[b]);
     return out;
   }
 

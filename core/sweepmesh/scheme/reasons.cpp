@@ -79,6 +79,20 @@ Reason face_without_role(const Network& n, int face) {
           entities};
 }
 
+/// The faces around it are named, too.
+Reason torn_section(const Network& n, int vertex) {
+  const std::string name = name_of(VertexId{vertex});
+  std::vector<std::string> entities = {name};
+  for (const ProblemCoedge& c : n.problem.coedges)
+    if (c.end == vertex) entities.push_back(name_of(n.problem.faces[c.face].id));
+  std::sort(entities.begin() + 1, entities.end());
+  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
+  return {ReasonKind::topological,
+          "Sections of the solid fall apart into pieces that touch at " + name +
+              " only, so no layers pass there. Cut the solid at " + name + ".",
+          entities};
+}
+
 Reason summary(const Network& n, const Context& context) {
   std::vector<std::string> entities;
   for (int f : cap_only_faces(n, context)) entities.push_back(name_of(n.problem.faces[f].id));
@@ -165,6 +179,7 @@ std::vector<Reason> reasons_of_failure(const Network& network, const SearchResul
          {}});
   if (result.rejections.walls) out.push_back(reason_of_walls(network, *result.rejections.walls));
   if (!out.empty()) return out;
+  if (result.rejections.torn) return {torn_section(network, *result.rejections.torn)};
   if (cap_only_faces(network, context).size() == network.problem.faces.size())
     return {no_linking_face(network)};
   if (result.conflict) return {face_without_role(network, result.conflict->face)};

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "sweepmesh/scheme/counts.h"
+#include "sweepmesh/scheme/vertex_columns.h"
 
 namespace sweepmesh {
 
@@ -195,6 +196,10 @@ class Search {
     Rejections& why = result_.rejections;
     if (!has_both_ends(n_, choices)) return ++why.n_without_ends, false;
     if (!is_euler_balanced(n_, choices)) return ++why.n_unbalanced, false;
+    if (const auto torn = torn_vertex(n_, choices)) {
+      if (!why.torn) why.torn = torn;
+      return ++why.n_torn, false;
+    }
     if (!do_shells_agree(n_, choices)) return ++why.n_voids_askew, false;
     if (!do_counts_exist(n_, choices, context_)) return ++why.n_without_counts, false;
     const auto walls = opposed_walls(n_, choices);

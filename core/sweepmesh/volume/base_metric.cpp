@@ -48,24 +48,45 @@ struct Direction {
   }
 };
 
-Direction angle_at(const Point3& tip, const Point3& a, const Point3& b) {
-  return {(a - tip).cross(b - tip).norm(), (a - tip).dot(b - tip)};
+/// A quad, divided by its Delaunay diagonal: 0-2 if the angles that face it add up to less than
+/// half a turn.
+void add_quad(const PolygonMatrix& m, const Point3* p, double factor) {
+  // Edge i leads from corner i to the next; the angle at a corner has the lengths of its edges as
+  // factor, sums of opposite angles those of all four.
+  Point3 edge[4];
+  double length[4];
+  Direction angle[4];
+  for (int i = 0; i < 4; ++i) {
+    edge[i] = p[(i + 1) % 4] - p[i];
+    length[i] = edge[i].squaredNorm();
+  }
+  for (int i = 0; i < 4; ++i) {
+    const Point3 &in = edge[(i + 3) % 4], &out = edge[i];
+    angle[i] = {in.cross(out).norm(), -in.dot(out)};
+  }
+  const int tip = (angle[0] + angle[2]).is_less_than(angle[1] + angle[3]) ? 0 : 1;
+  for (const int i : {tip, tip + 2}) {  // the triangle of corner i and its neighbours
+    const int last = (i + 3) % 4, next = (i + 1) % 4;
+    const double twice_area = angle[i].sine;
+    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * twice_area / 6.0;
+    if (!(twice_area > 0.0)) continue;
+    const double f = 0.5 * factor / twice_area;
+    m.weight(last, next) += f * angle[i].cosine;
+    m.weight(last, i) += f * (length[i] - angle[i].cosine);
+    m.weight(i, next) += f * (length[last] - angle[i].cosine);
+  }
 }
 
 void add_polygon(const PolygonMatrix& m, const Point3* p, double factor) {
-  if (m.n == 4) {
-    // The diagonal 0-2 is Delaunay when the angles that face it add up to less than half a turn.
-    // Both sums have the lengths of all four sides as their factor.
-    const Direction facing = angle_at(p[1], p[0], p[2]) + angle_at(p[3], p[2], p[0]);
-    const Direction other = angle_at(p[0], p[3], p[1]) + angle_at(p[2], p[1], p[3]);
-    add_fan(m, p, other.is_less_than(facing) ? 1 : 0, factor);
-    return;
-  }
+  if (m.n == 4) return add_quad(m, p, factor);
   const int n_fans = m.n == 3 ? 1 : m.n;
   for (int apex = 0; apex < n_fans; ++apex) add_fan(m, p, apex, factor / n_fans);
 }
 
-constexpr long cells_per_chunk = 1L << 10;
+/// Cells or columns that a thread takes at a time.
+long grain_of(long n) {
+  return ThreadTeam::grain_of(n, 1L << 5, 1L << 10);
+}
 
 void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
   thread_local std::vector<Point3> p;
@@ -81,7 +102,17 @@ void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metri
     for (int j = i + 1; j < m.n; ++j) m.weight(i, j) = std::max(0.0, m.weight(i, j));
 }
 
+/// Ends of columns lie far from one another in memory: fetches those that a cell needs.
+void prefetch_cell(const Extrusion& x, const Points& points, int c) {
+#if defined(__GNUC__)
+  for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i)
+    for (const int k : {x.cell_k_low[c], x.cell_k_high[c]})
+      __builtin_prefetch(points.data() + 3 * x.node(x.cell_columns[i], k));
+#endif
+}
+
 void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, ThreadTeam& team) {
+  constexpr int n_ahead = 8;
   metric.pair_offset.reserve(x.n_cells() + 1);
   for (int c = 0; c < x.n_cells(); ++c) {
     const long n = x.cell_size(c);
@@ -89,8 +120,11 @@ void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, Thr
   }
   metric.pair_weight.assign(metric.pair_offset.back(), 0.0);
   metric.corner_mass.assign(x.cell_columns.size(), 0.0);
-  team.for_chunks(x.n_cells(), cells_per_chunk, [&](long begin, long end, long) {
-    for (int c = static_cast<int>(begin); c < end; ++c) add_cell(x, points, c, metric);
+  team.for_chunks(x.n_cells(), grain_of(x.n_cells()), [&](long begin, long end, long) {
+    for (int c = static_cast<int>(begin); c < end; ++c) {
+      if (c + n_ahead < x.n_cells()) prefetch_cell(x, points, c + n_ahead);
+      add_cell(x, points, c, metric);
+    }
   });
 }
 
@@ -141,7 +175,7 @@ void set_heights(const Extrusion& x, const std::vector<char>& fixed, const Point
     for (int k = low; k < high; ++k) sums.add(k - first, length / (high - low));
   };
   // A chunk holds more columns than the layers that its sums have.
-  const long grain = std::max<long>(cells_per_chunk, n_layers);
+  const long grain = std::max<long>(grain_of(x.n_columns()), n_layers);
   const HeightSums linking = sum_heights(n_layers, x.n_columns(), grain, team, add_column);
   const bool has_all = std::all_of(linking.length.begin(), linking.length.end(),
                                    [](double length) { return length > 0.0; });

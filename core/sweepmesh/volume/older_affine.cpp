@@ -145,7 +145,7 @@ void place_least_squares(const Extrusion& extrusion, const std::vector<char>& fi
   const std::vector<Slab> slabs = find_slabs(x, fixed);
   std::vector<SlabFits> fits;
   for (const Slab& slab : slabs) fits.push_back(fit_slab(x, slab, functional, points));
-  LayerMotion motion = make_layer_motion(x, fixed, points, metric);
+  LayerMotion motion = make_layer_motion(x, fixed, points, metric, team);
   std::vector<char> is_done(motion.blocks.size(), 0);
   for (int c = 0; c < x.n_cells(); ++c) {
     if (is_done[motion.cell_block[c]]) continue;

@@ -19,34 +19,32 @@
 namespace sweepmesh {
 namespace {
 
-constexpr long columns_per_chunk = 256;
-
 /// Diagonal of the box around the fixed nodes.
 double size_of(const Points& points, const std::vector<char>& fixed, ThreadTeam& team) {
-  constexpr long nodes_per_chunk = 1L << 16;
+  const long n_nodes = static_cast<long>(fixed.size());
+  const long grain = ThreadTeam::grain_of(n_nodes, 1L << 10, 1L << 16);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   using Box = std::pair<Point3, Point3>;
   const Box none = {Point3::Constant(infinity), Point3::Constant(-infinity)};
-  std::vector<Box> boxes(ThreadTeam::n_chunks(static_cast<long>(fixed.size()), nodes_per_chunk),
-                         none);
-  team.for_chunks(static_cast<long>(fixed.size()), nodes_per_chunk,
-                  [&](long begin, long end, long chunk) {
-                    auto& [low, high] = boxes[chunk];
-                    for (long n = begin; n < end; ++n) {
-                      if (!fixed[n]) continue;
-                      low = low.cwiseMin(Point3(points.row(n)));
-                      high = high.cwiseMax(Point3(points.row(n)));
-                    }
-                  });
+  std::vector<Box> boxes(ThreadTeam::n_chunks(n_nodes, grain), none);
+  team.for_chunks(n_nodes, grain, [&](long begin, long end, long chunk) {
+    auto [low, high] = none;
+    for (long n = begin; n < end; ++n) {
+      if (!fixed[n]) continue;
+      low = low.cwiseMin(Point3(points.row(n)));
+      high = high.cwiseMax(Point3(points.row(n)));
+    }
+    boxes[chunk] = {low, high};
+  });
   Box all = none;
   for (const auto& [low, high] : boxes) all = {all.first.cwiseMin(low), all.second.cwiseMax(high)};
   return (all.second - all.first).norm();
 }
 
 /// Adds the correction, which was solved for in units of `unit`, to the free nodes.
-void add_correction(const Extrusion& x, const LayeredSystem& system, const std::vector<float>& e,
-                    double unit, Points& points, ThreadTeam& team) {
-  team.for_chunks(x.n_columns(), columns_per_chunk, [&](long begin, long end, long) {
+void add_correction(const Extrusion& x, const LayeredSystem& system, const Floats& e, double unit,
+                    Points& points, ThreadTeam& team) {
+  team.for_chunks(x.n_columns(), columns_per_chunk(x), [&](long begin, long end, long) {
     for (int c = static_cast<int>(begin); c < end; ++c)
       for (int level = system.low[c]; level <= system.high[c]; ++level) {
         const float* v = system.at(e.data(), c, level);
@@ -61,9 +59,8 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
                       ThreadTeam& team, const Context& context) {
   const CellsOfColumns cells(x);
   const LayeredLevel level = make_layered_level(x, cells, metric, fixed, team);
-  if (level.system.size() == 0) return;
-  std::vector<float> e =
-      right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
+  if (level.system.is_empty()) return;
+  Floats e = right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
   const SolverReport solved = solve(level, e, {.reduction = options.reduction}, team, context);
   add_correction(x, level.system, e, unit, points, team);
   report.was_solved = true;
@@ -169,7 +166,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
     set_quality(check_elements(extrusion, points, 0.0, team), report);
     return report;
   }
-  const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric);
+  const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric, team);
   set_predictions(extrusion, motion, fixed, points, team);
   const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
   report.largest_residual = largest(residuals);

@@ -7,10 +7,16 @@
 #include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/base_metric.h"
 #include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/floats.h"
 #include "sweepmesh/volume/layer_motion.h"
 #include "sweepmesh/volume/layered_system.h"
 
 namespace sweepmesh {
+
+/// Columns that a thread takes at a time.
+inline long columns_per_chunk(const Extrusion& extrusion) {
+  return ThreadTeam::grain_of(extrusion.n_columns(), 16, 256);
+}
 
 /// Position minus prediction, a row for each level of a block in one of its columns.
 struct ColumnResidual {
@@ -36,9 +42,9 @@ double largest(const Residuals& residuals);
 
 /// Right-hand side - sum over blocks of A_block residual_block, times `scale`, in the layout of
 /// `system`: so the corrections of all blocks together leave no force at a free node.
-std::vector<float> right_hand_side(const Extrusion& extrusion, const CellsOfColumns& cells,
-                                   const LayerMotion& motion, const BaseMetric& metric,
-                                   const Residuals& residuals, const LayeredSystem& system,
-                                   double scale, ThreadTeam& team);
+Floats right_hand_side(const Extrusion& extrusion, const CellsOfColumns& cells,
+                       const LayerMotion& motion, const BaseMetric& metric,
+                       const Residuals& residuals, const LayeredSystem& system, double scale,
+                       ThreadTeam& team);
 
 }  // namespace sweepmesh

@@ -149,7 +149,8 @@ TEST(PlaceInterior, FreeNodesAreInHarmonicEquilibriumWithTheBoundary) {
     // The correction of the affine motion, not the position, is what is harmonic.
     ThreadTeam team;
     const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, points, team);
-    const LayerMotion motion = make_layer_motion(solid.extrusion, solid.fixed, points, metric);
+    const LayerMotion motion =
+        make_layer_motion(solid.extrusion, solid.fixed, points, metric, team);
     Points prediction(points.rows(), 3), correction = points;
     std::vector<Point3> column(10);
     for (int c = 0; c < solid.extrusion.n_columns(); ++c) {
