@@ -168,7 +168,8 @@ SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Inter
 }
 
 CellKind cells_of(ElementKind element) {
-  return element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
+  if (element == ElementKind::hex) return CellKind::quad;
+  return element == ElementKind::prism ? CellKind::triangle : CellKind::polygon;
 }
 
 }  // namespace sweepmesh
