@@ -66,6 +66,13 @@ std::string merge_warning(double fraction) {
          std::to_string(std::lround(100 * fraction)) + " % of the element size.";
 }
 
+std::vector<std::string> caps_of(const Scheme& scheme) {
+  std::vector<std::string> out;
+  for (const FaceRole role : {FaceRole::source, FaceRole::target})
+    for (const FaceId f : scheme.faces_with(role)) out.push_back(name_of(f));
+  return out;
+}
+
 /// Whether the same curves divide R in the same way.
 bool is_alike(const Imprint& a, const Imprint& b) {
   return std::ranges::equal(a.edges, b.edges, [](const ImprintEdge& x, const ImprintEdge& y) {
@@ -183,7 +190,12 @@ class SchemeMesher {
 
 SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                        double size, StageClock& clock, Context& context) {
-  return SchemeMesher(model, scheme, options, size, clock, context).run();
+  try {
+    return SchemeMesher(model, scheme, options, size, clock, context).run();
+  } catch (const SolverError& e) {
+    if (!e.entities().empty()) throw;
+    throw SolverError(e.stage(), e.what(), caps_of(scheme));  // it knows of numbers only
+  }
 }
 
 BoundaryMesh without_overlaps(BoundaryMesh boundary) {
