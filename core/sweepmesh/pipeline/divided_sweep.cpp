@@ -203,6 +203,7 @@ std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& pic
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
   Assessment whole = assess(model, picks, context);
+  if (is_free(picks)) refuse_without_layout(model, context, whole);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;
   const auto divided = [&](Strain strain) -> std::optional<Assessment> {
     const auto found = divide_to_sweep(model, picks, {}, strain, context);

@@ -10,6 +10,7 @@
 #include "sweepmesh/pipeline/boundary.h"
 #include "sweepmesh/pipeline/faces_at_elements.h"
 #include "sweepmesh/pipeline/imprinted_boundary.h"
+#include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/pipeline/second_order_on_model.h"
 #include "sweepmesh/pipeline/shell_boundary.h"
 #include "sweepmesh/pipeline/sliding_nodes.h"
@@ -116,7 +117,7 @@ class SchemeMesher {
         throw;
       } catch (const Error& e) {
         if (!first) first = std::current_exception();
-        if (e.entities().empty()) break;  // nothing that merging could change
+        if (e.entities().empty() || is_final(e)) break;  // nothing that merging could change
       }
     std::rethrow_exception(first);
   }

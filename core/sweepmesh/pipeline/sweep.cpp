@@ -4,8 +4,11 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 
+#include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
 #include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/pipeline/scheme_mesh.h"
@@ -59,7 +62,7 @@ class SchemeTrier {
   /// As with_some_scheme, and where that fails with other sizes near the wished one: then
   /// nodes lie elsewhere, and narrow places get other numbers of cells. `shares` of the wished
   /// size, that first. The first failure counts.
-  bool at_some_size(const std::vector<double>& shares = {1.0, 0.85, 1.2, 0.7}) {
+  bool at_some_size(std::span<const double> shares = kSizeShares) {
     const SweepResult begun = result_;
     std::optional<Assessment> refused;
     std::exception_ptr first_error;
@@ -67,6 +70,7 @@ class SchemeTrier {
         result_.assessment = begun.assessment;
         result_.warnings = begun.warnings;
         result_.size = share * begun.size;
+        if (!has_hope()) break;
         if (share < 1.0 && is_explosion(model_, options_, result_.size)) continue;
         if (with_some_scheme()) {
           if (share != 1.0)
@@ -98,6 +102,7 @@ class SchemeTrier {
     std::exception_ptr first_error;
     std::optional<InvalidMeshError> fold;
     for (const std::size_t s : tries(schemes.size())) try {
+        if (hopeless_.contains(s)) continue;
         take(mesh_scheme(model_, schemes[s], options_, result_.size, clock_, context_));
         std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
         return true;
@@ -105,6 +110,7 @@ class SchemeTrier {
         throw;
       } catch (const Error& error) {
         if (!first_error) first_error = std::current_exception();
+        if (is_final(error)) hopeless_.insert(s);
         const auto* invalid = dynamic_cast<const InvalidMeshError*>(&error);
         if (s == 0 && invalid && invalid->stage() == "place") fold = *invalid;
         result_.warnings.push_back("The sweep from " + caps_of(schemes[s]) +
@@ -114,6 +120,12 @@ class SchemeTrier {
     result_.assessment = folded(*fold);
     result_.warnings.clear();
     return false;
+  }
+
+  /// Whether a scheme is left that another size may help.
+  bool has_hope() const {
+    return std::ranges::any_of(tries(result_.assessment.schemes.size()),
+                               [&](std::size_t s) { return !hopeless_.contains(s); });
   }
 
   void take(SchemeMesh made) {
@@ -127,6 +139,7 @@ class SchemeTrier {
   StageClock& clock_;
   Context& context_;
   SweepResult& result_;
+  std::set<std::size_t> hopeless_;  ///< schemes that failed whatever the size (is_final)
 };
 
 /// Warnings of schemes that failed have the numbers of the divided solid, which nobody knows.
@@ -174,7 +187,9 @@ bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& 
   });
   if (!strained.assessment.is_sweepable()) return false;
   try {
-    if (!SchemeTrier(model, options, clock, context, strained).at_some_size({1.0})) return false;
+    if (!SchemeTrier(model, options, clock, context, strained)
+             .at_some_size(std::span(kSizeShares).first(1)))
+      return false;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
@@ -200,10 +215,13 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
     return SchemeTrier(model, options, clock, context, result).at_some_size();
   } catch (const Cancelled&) {
     throw;
-  } catch (const Error&) {
+  } catch (const Error& error) {
     result.warnings.clear();
     if (divided(Strain::refused)) return true;
-    throw;
+    if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
+    if (divided(Strain::accepted)) return true;
+    result.assessment = without_layout(error);
+    return false;
   }
 }
 
