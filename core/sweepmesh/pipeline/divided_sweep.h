@@ -18,40 +18,40 @@ struct DividedSweep {
   DividedModel parts;
   Picks picks;
   SweepOptions options;
-  Assessment assessment;  ///< of parts.model, sweepable
+  Assessment assessment;  ///< of parts.model, sweepable where it is handed out
 };
 
 /// Whether strained schemes (layout.h) will do for a divided solid.
 enum class Strain { refused, accepted };
 
-/// The solid with those cuts along its rounds that a scheme has use for; empty where it has no
-/// rounds or cannot be swept with all of them cut. A picked face is picked with all of its pieces;
-/// a fixed number of mesh edges on a divided edge goes to its pieces by length.
-std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
-                                            const SweepOptions& options, Strain strain,
-                                            Context& context);
-
-/// The ways to divide a solid that the schemes of the solid with all its rounds cut ask for, the
-/// cheapest scheme's first; each is found when it is asked for.
-class RoundDivisions {
+/// A solid with those cuts along its rounds that a scheme has use for. The cuts and the verdict on
+/// what they leave are found once, when first asked for.
+class RoundDivision {
  public:
-  RoundDivisions(const Model& model, const Picks& picks, const SweepOptions& options, Strain strain)
-      : model_(model), picks_(picks), options_(options), strain_(strain) {}
+  /// The arguments must outlive it.
+  RoundDivision(const Model& model, const Picks& picks, const SweepOptions& options)
+      : model_(model), picks_(picks), options_(options) {}
 
-  /// As divide_to_sweep at first; then one that makes other cuts than all before, empty where no
-  /// scheme asks for one.
-  std::optional<DividedSweep> next(Context& context);
+  /// Empty where the solid has no rounds or cannot be swept with all of them cut. A picked face is
+  /// picked with all of its pieces; a fixed number of mesh edges on a divided edge goes to its
+  /// pieces by length. Throws Cancelled only.
+  std::optional<DividedSweep> to_sweep(Strain strain, Context& context);
+
+  /// After to_sweep: divided as another scheme of the solid with all its rounds cut asks for, by
+  /// other cuts than before. Empty where no scheme asks for any. Throws Cancelled only.
+  std::optional<DividedSweep> other(Strain strain, Context& context);
 
  private:
-  std::optional<DividedSweep> first(Context& context);
-  std::optional<DividedSweep> divided_as(const Scheme& scheme, Context& context);
+  void divide(Context& context);
+  std::optional<DividedSweep> swept(Strain strain, Context& context);
+  std::optional<DividedSweep> divided_as(const Scheme& scheme, Strain strain, Context& context);
 
   const Model& model_;
   const Picks& picks_;
   const SweepOptions& options_;
-  const Strain strain_;
+  bool is_known_ = false;
   std::vector<CutGroup> groups_;
-  std::optional<DividedSweep> all_;          ///< every group cut
+  std::optional<DividedSweep> all_;          ///< with all cuts, sweepable or not
   std::set<std::set<std::size_t>> is_made_;  ///< sets of groups
   std::size_t scheme_ = 0;                   ///< of all_, the next one to look at
 };

@@ -96,8 +96,11 @@ class SchemeTrier {
         if (!refused && !first_error) refused = result_.assessment;
       } catch (const Cancelled&) {
         throw;
-      } catch (const SolverError&) {
-        if (!refused && !first_error) throw;
+      } catch (const SolverError& e) {
+        if (!refused && !first_error) {
+          if (e.stage() != "surface") throw;  // what hangs on the numbers alone fails again
+          first_error = std::current_exception();
+        }
       } catch (const Error&) {
         if (!refused && !first_error) first_error = std::current_exception();
       }
@@ -173,33 +176,6 @@ bool names_parts(const std::string& warning) {
 /// A solid that was divided, and the mesh of its parts.
 struct DividedMesh {
   DividedSweep divided;
-  SweepResult part;
-  double least;  ///< scaled Jacobian
-};
-
-/// Empty where it cannot be meshed.
-std::optional<DividedMesh> mesh_parts(DividedSweep divided, const std::vector<double>& shares,
-                                      double size, StageClock& clock, Context& context) try {
-  SweepResult part;
-  part.assessment = divided.assessment;
-  part.size = size;
-  SchemeTrier trier(divided.parts.model, divided.options, clock, context, part);
-  if (!trier.at_some_size(shares)) return {};
-  return DividedMesh{std::move(divided), std::move(part), trier.least()};
-} catch (const Cancelled&) {
-  throw;
-} catch (const Error&) {
-  return {};
-}
-
-/// Meshes the solid divided along its rounds, where that can be swept. Where elements are poor, it
-/// is divided as its other schemes ask for. False: the assessment stays that of the whole solid.
-bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& options,
-                  Strain strain, StageClock& clock, Context& context, SweepResult& result) {
-  if (!may_be_divided(result.assessment)) return false;
-  RoundDivisions divisions(model, picks, options, strain);
-  const auto next = [&] { return clock.run("assess", [&] { return divisions.next(context); }); };
-  auto divided = next();
   if (!divided) return false;
   auto best = mesh_parts(std::move(*divided), kSizeShares, result.size, clock, context);
   if (!best) return false;
@@ -245,8 +221,9 @@ bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& 
 /// The solid as it is or, where that cannot be swept or meshed, divided. False: it cannot be swept.
 bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions& options,
                       StageClock& clock, Context& context, SweepResult& result) {
+  RoundDivision division(model, picks, options);
   const auto divided = [&](Strain strain) {
-    return mesh_divided(model, picks, options, strain, clock, context, result);
+    return mesh_divided(model, division, strain, clock, context, result);
   };
   if (!result.assessment.is_sweepable())
     return divided(Strain::refused) || mesh_strained(model, options, clock, context, result) ||

@@ -10,8 +10,10 @@
 
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/numerics/gmsh/gmsh.h"
+#include "sweepmesh/surface/delaunay_quads.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
+#include "sweepmesh/surface/polygon_dual.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_templates.h"
 #include "sweepmesh/surface/worst_first.h"
@@ -146,6 +148,12 @@ std::optional<PlanarMesh> by_halving(const Task& task) {
   return cleaned(turned_back(quads, task.loops, is_turned), task);
 }
 
+std::optional<PlanarMesh> by_delaunay(const Task& task) {
+  const auto quads = delaunay_quads(task.loops, task.options.size);
+  if (!quads) return std::nullopt;
+  return cleaned(*quads, task);
+}
+
 /// Lets one way of meshing fail, as long as another one works.
 template <class Make>
 void try_to_add(const Make& make, std::vector<PlanarMesh>& out,
@@ -178,6 +186,8 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   }
   if (worst(out, task.options.metric) < poor) {
     try_to_add([&] { return by_halving(task); }, out, failure);
+    if (worst(out, task.options.metric) <= 0.0)
+      try_to_add([&] { return by_delaunay(task); }, out, failure);
     for (std::size_t i = 0, n = out.size(); i < n; ++i)
       out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
   }
@@ -186,6 +196,8 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");
 }
 
+/// Lengths of the cells' sides: as long as the boundary's near by. Polygons of more than four sides
+/// are as large as the hexagon that is the boundary's edge wide.
 std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
   std::vector<double> sum(mesh.n_boundary, 0.0);
   std::vector<int> count(mesh.n_boundary, 0);
@@ -204,9 +216,11 @@ std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
     boundary[i] = Point2(sum[i] / std::max(1, count[i]), 0.0);
   const std::vector<Point2> all = harmonic_extension(mesh, boundary, metric);
   std::vector<double> size(mesh.n_cells(), 0.0);
-  for (int c = 0; c < mesh.n_cells(); ++c)
-    for (const int node : mesh.cell(c))
-      size[c] += all[node].x() / static_cast<double>(mesh.cell(c).size());
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const int n = static_cast<int>(mesh.cell(c).size());
+    for (const int node : mesh.cell(c)) size[c] += all[node].x() / n;
+    if (n > 4) size[c] *= std::sqrt(2.0 * regular_area(3) / regular_area(n));
+  }
   return size;
 }
 
@@ -222,8 +236,7 @@ void fit_to_area(std::vector<double>& size, const PlanarMesh& mesh, const Metric
       centre += mesh.points[node] / static_cast<double>(cell.size());
     }
     there += signed_area(corners) * (metric ? metric(centre).determinant() : 1.0);
-    const double regular_area = cell.size() == 3 ? 0.25 * std::sqrt(3.0) : 1.0;
-    wished += regular_area * size[c] * size[c];
+    wished += regular_area(static_cast<int>(cell.size())) * size[c] * size[c];
   }
   for (double& s : size) s *= std::sqrt(there / wished);
 }
@@ -267,6 +280,35 @@ std::vector<PlanarMesh> triangle_candidates(const Task& task) {
       out.push_back(smoothed(split_into_triangles(quads, metric), metric, task.context));
   } catch (const SolverError&) {  // no quads: the triangles have to do
   }
+  return out;
+}
+
+/// Where a polygon stays reflex in its place: cut there, and smoothed again.
+PlanarMesh made_convex(PlanarMesh mesh, const Task& task) {
+  constexpr int max_rounds = 6;
+  const Metric& metric = task.options.metric;
+  mesh = smoothed(mesh, metric, task.context);
+  for (int r = 0; r < max_rounds && quality(mesh.points, mesh, metric).n_inverted > 0; ++r)
+    mesh = smoothed(with_reflex_corners_cut(mesh, metric), metric, task.context);
+  return mesh;
+}
+
+/// Duals of triangles, with links as the corners wish and, where these come out poor, with a link
+/// at each boundary node. Triangles where no dual is valid.
+std::vector<PlanarMesh> polygon_candidates(const Task& task) {
+  constexpr double poor = 0.3;
+  const Metric& metric = task.options.metric;
+  const std::vector<PlanarMesh> triangles = triangle_candidates(task);
+  const std::vector<int> wished = polygons_at_nodes(task.angles);
+  std::vector<int> all_linked = wished;
+  for (int& n : all_linked) n = std::max(n, 2);
+  std::vector<PlanarMesh> out;
+  for (const auto& cells : {wished, all_linked})
+    for (const PlanarMesh& mesh : triangles)
+      if (worst(out, metric) < poor)
+        if (auto dual = polygon_dual(mesh, cells))
+          out.push_back(made_convex(std::move(*dual), task));
+  if (worst(out, metric) <= 0.0) out.insert(out.end(), triangles.begin(), triangles.end());
   return out;
 }
 
@@ -328,7 +370,15 @@ std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarM
                                          const BoundaryAngles& angles, const Context& context) {
   check_input(loops, options);
   const Task task{loops, options, angles, context};
-  return options.kind == CellKind::quad ? quad_candidates(task) : triangle_candidates(task);
+  switch (options.kind) {
+    case CellKind::quad:
+      return quad_candidates(task);
+    case CellKind::triangle:
+      return triangle_candidates(task);
+    case CellKind::polygon:
+      break;
+  }
+  return polygon_candidates(task);
 }
 
 PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options,
