@@ -62,14 +62,15 @@ def vtk_grid(path):
     return reader.GetOutput()
 
 
+def nodes_of(cell):
+    """As plain numbers: VTK hands out one object for all faces of a cell."""
+    return [cell.GetPointId(n) for n in range(cell.GetNumberOfPoints())]
+
+
 def faces_in_vtk(grid):
     """The faces of each cell as VTK knows them: [[nodes, ...], ...]."""
-    out = []
-    for i in range(grid.GetNumberOfCells()):
-        cell = grid.GetCell(i)
-        faces = [cell.GetFace(f) for f in range(cell.GetNumberOfFaces())]
-        out.append([[face.GetPointId(n) for n in range(face.GetNumberOfPoints())] for face in faces])
-    return out
+    cells = (grid.GetCell(i) for i in range(grid.GetNumberOfCells()))
+    return [[nodes_of(cell.GetFace(f)) for f in range(cell.GetNumberOfFaces())] for cell in cells]
 
 
 def volumes_by_vtk(grid):
