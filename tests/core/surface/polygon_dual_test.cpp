@@ -183,7 +183,7 @@ PlanarLoops random_domain(std::mt19937& random) {
 
 TEST(PolygonDual, random_domains_are_divided_into_convex_polygons) {
   std::mt19937 random(7);
-  for (int run = 0; run < 40; ++run) {
+  for (int run = 0; run < 24; ++run) {
     const PlanarLoops loops = random_domain(random);
     if (!is_domain(loops)) continue;
     const PlanarMesh mesh = polygons(loops, 2 * pi * 10 / static_cast<double>(loops[0].size()));
