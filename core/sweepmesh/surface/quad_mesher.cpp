@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/numerics/gmsh/gmsh.h"
+#include "sweepmesh/surface/delaunay_quads.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
 #include "sweepmesh/surface/polygon_dual.h"
@@ -103,18 +105,53 @@ std::optional<PlanarMesh> unstructured(GmshAlgorithm algorithm, const Task& task
   return cleaned(*quads, task);
 }
 
+/// Whether a loop's sharper corners are at its odd nodes: those of every second node must be kept.
+bool has_odd_corners(const std::vector<Point2>& loop) {
+  const std::vector<double> angles = interior_angles({loop});
+  std::array<double, 2> turn = {0.0, 0.0};
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    turn[i % 2] += std::pow(1.0 - angles[i] / std::numbers::pi, 2);
+  return turn[1] > turn[0];
+}
+
+/// Undoes that loops began with their second node: those of `is_turned`.
+PlanarMesh turned_back(PlanarMesh mesh, const PlanarLoops& loops,
+                       const std::vector<char>& is_turned) {
+  std::vector<int> number(mesh.n_nodes());
+  std::iota(number.begin(), number.end(), 0);
+  int first = 0;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const int n = static_cast<int>(loops[l].size());
+    for (int i = 0; i < n && is_turned[l]; ++i) number[first + i] = first + (i + 1) % n;
+    first += n;
+  }
+  const std::vector<Point2> points = mesh.points;
+  for (int i = 0; i < mesh.n_nodes(); ++i) mesh.points[number[i]] = points[i];
+  for (int& node : mesh.cell_nodes) node = number[node];
+  return mesh;
+}
+
 /// Possible where every loop has an even number of edges.
 std::optional<PlanarMesh> by_halving(const Task& task) {
-  PlanarLoops half;
-  for (const auto& loop : task.loops) {
+  PlanarLoops half, whole = task.loops;
+  std::vector<char> is_turned;
+  for (auto& loop : whole) {
     if (loop.size() % 2 != 0 || loop.size() < 6) return std::nullopt;
+    is_turned.push_back(has_odd_corners(loop));
+    if (is_turned.back()) std::rotate(loop.begin(), loop.begin() + 1, loop.end());
     half.emplace_back();
     for (std::size_t i = 0; i < loop.size(); i += 2) half.back().push_back(loop[i]);
   }
   const double size = 2.0 * task.options.size;
-  return cleaned(
-      refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), task.loops),
-      task);
+  const PlanarMesh quads =
+      refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), whole);
+  return cleaned(turned_back(quads, task.loops, is_turned), task);
+}
+
+std::optional<PlanarMesh> by_delaunay(const Task& task) {
+  const auto quads = delaunay_quads(task.loops, task.options.size);
+  if (!quads) return std::nullopt;
+  return cleaned(*quads, task);
 }
 
 /// Lets one way of meshing fail, as long as another one works.
@@ -149,6 +186,8 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   }
   if (worst(out, task.options.metric) < poor) {
     try_to_add([&] { return by_halving(task); }, out, failure);
+    if (worst(out, task.options.metric) <= 0.0)
+      try_to_add([&] { return by_delaunay(task); }, out, failure);
     for (std::size_t i = 0, n = out.size(); i < n; ++i)
       out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
   }
@@ -276,8 +315,9 @@ std::vector<PlanarMesh> polygon_candidates(const Task& task) {
 }  // namespace
 
 double overall_quality(const PlanarMesh& mesh, const Metric& metric) {
+  constexpr double useless = 0.1, weight = 5.0;  // a cell below that spoils any mesh
   const PlanarQuality q = quality(mesh.points, mesh, metric);
-  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
+  return weight * std::min(q.min, useless) + q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
 }
 
 PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context) {

@@ -3,7 +3,8 @@
 // Candidates are made, smoothed and measured, and the best one is taken: structured patterns where
 // the counts admit one (quad_templates.h), and unstructured ones by Gmsh (frontal triangles paired
 // by Blossom), with leftover triangles paired and irregular nodes removed (quad_cleanup.h). Should
-// no pairing work, the domain is meshed at twice the size and every cell is cut into quads.
+// no pairing work, the domain is meshed at twice the size and every cell is cut into quads. Where
+// all of that leaves no valid mesh, a Delaunay triangulation is paired (delaunay_quads.h).
 // Smoothing is the foldover-free energy towards squares of the local boundary's edge length, so
 // what is valid stays so.
 #pragma once
