@@ -112,7 +112,7 @@ Seconds write_arrays(Input& b, int repeats, int threads) {
 Seconds affine_only(Input& b, int repeats, int threads) {
   ThreadTeam team(threads);
   return seconds_of(repeats, [&] {
-    const BaseMetric metric = make_base_metric(b.extrusion, b.fixed, b.points, team);
+    const BaseMetric metric = make_layer_heights(b.extrusion, b.fixed, b.points, team);
     const LayerMotion motion = make_layer_motion(b.extrusion, b.fixed, b.points, metric, team);
     set_predictions(b.extrusion, motion, b.fixed, b.points, team);
   });

@@ -186,11 +186,21 @@ void set_heights(const Extrusion& x, const std::vector<char>& fixed, const Point
 
 BaseMetric make_base_metric(const Extrusion& extrusion, const std::vector<char>& fixed,
                             const Points& points, ThreadTeam& team) {
-  BaseMetric metric;
-  if (extrusion.n_cells() == 0) return metric;
-  add_cells(extrusion, points, metric, team);
-  set_heights(extrusion, fixed, points, metric, team);
+  BaseMetric metric = make_layer_heights(extrusion, fixed, points, team);
+  complete_metric(extrusion, points, metric, team);
   return metric;
+}
+
+BaseMetric make_layer_heights(const Extrusion& extrusion, const std::vector<char>& fixed,
+                              const Points& points, ThreadTeam& team) {
+  BaseMetric metric;
+  if (extrusion.n_cells() > 0) set_heights(extrusion, fixed, points, metric, team);
+  return metric;
+}
+
+void complete_metric(const Extrusion& extrusion, const Points& points, BaseMetric& metric,
+                     ThreadTeam& team) {
+  if (metric.pair_weight.empty()) add_cells(extrusion, points, metric, team);
 }
 
 }  // namespace sweepmesh

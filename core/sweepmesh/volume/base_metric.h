@@ -57,4 +57,11 @@ void for_pairs(const Extrusion& x, const BaseMetric& metric, int cell, int i, F&
 BaseMetric make_base_metric(const Extrusion& extrusion, const std::vector<char>& fixed,
                             const Points& points, ThreadTeam& team);
 
+/// The heights alone: all that layers which move affinely need.
+BaseMetric make_layer_heights(const Extrusion& extrusion, const std::vector<char>& fixed,
+                              const Points& points, ThreadTeam& team);
+
+/// Adds the matrices of the cells, unless they are there already.
+void complete_metric(const Extrusion& extrusion, const Points& points, BaseMetric& metric,
+                     ThreadTeam& team);
 }  // namespace sweepmesh

@@ -200,12 +200,13 @@ class Transitions {
 }  // namespace
 
 bool choose_transitions(const Extrusion& extrusion, const std::vector<char>& fixed,
-                        const BaseMetric& metric, const LayerMotion& motion,
+                        BaseMetric& metric, const LayerMotion& motion,
                         const TransitionOptions& options, Points& points, ThreadTeam& team,
                         const Context& context) {
   std::vector<int> block_of = free_blocks(extrusion, fixed, motion, team);
   Points mismatch = differences(extrusion, motion, points, team);
   if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;
+  complete_metric(extrusion, points, metric, team);
   subtract_extension(extrusion, metric, block_of, mismatch, team, context);
   if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;
 

@@ -32,9 +32,10 @@ struct TransitionOptions {
 };
 
 /// Moves the free nodes of `points` (predictions and their corrections) where a block gains by it;
-/// returns whether one did. Linear; costs little where caps match. Throws Cancelled.
+/// returns whether one did. Completes the metric if it needs it. Linear; costs little where caps
+/// match. Throws Cancelled.
 bool choose_transitions(const Extrusion& extrusion, const std::vector<char>& fixed,
-                        const BaseMetric& metric, const LayerMotion& motion,
+                        BaseMetric& metric, const LayerMotion& motion,
                         const TransitionOptions& options, Points& points, ThreadTeam& team,
                         const Context& context);
 

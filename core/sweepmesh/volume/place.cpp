@@ -105,17 +105,19 @@ void set_quality(const ElementCheck& check, PlacementReport& report) {
   report.mean_scaled_jacobian = check.mean_scaled_jacobian;
 }
 
-void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
+void mend_elements(const Extrusion& x, const std::vector<char>& fixed, BaseMetric& metric,
                    const PlacementOptions& options, bool may_improve, Points& points,
                    PlacementReport& report, ThreadTeam& team, const Context& context) {
   set_quality(check_elements(x, points, 0.0, team), report);
   report.n_inverted_before = static_cast<long>(report.inverted.size());
   if (!report.inverted.empty() && options.max_attempts > 0) {
+    complete_metric(x, points, metric, team);
     untangle_inverted(x, fixed, metric, options, report.inverted, points, team, context);
     set_quality(check_elements(x, points, 0.0, team), report);
   }
   // Layers that are exact images of the caps stay so.
   if (!report.inverted.empty() || !may_improve) return;
+  complete_metric(x, points, metric, team);
   ImproveOptions improve = options.improve;
   improve.sliding = options.sliding;
   improve.curved = options.curved;
@@ -160,8 +162,9 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   if (extrusion.n_elements() == 0) return report;
   ThreadTeam team(context.n_threads());
   context.report(0.0, "Placing the interior nodes");
-  const BaseMetric metric = make_base_metric(extrusion, fixed, points, team);
+  BaseMetric metric = make_layer_heights(extrusion, fixed, points, team);
   if (options.method != PlacementMethod::harmonic_residual) {
+    complete_metric(extrusion, points, metric, team);
     place_by_older_method(options.method, extrusion, fixed, metric, points, team, context);
     set_quality(check_elements(extrusion, points, 0.0, team), report);
     return report;
@@ -172,9 +175,11 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   report.largest_residual = largest(residuals);
   context.report(0.1, "Extending the boundary's residual");
   const double negligible = options.negligible_residual * size_of(points, fixed, team);
-  if (report.largest_residual > negligible)
+  if (report.largest_residual > negligible) {
+    complete_metric(extrusion, points, metric, team);
     extend_residuals(extrusion, fixed, metric, motion, residuals, report.largest_residual, options,
                      points, report, team, context);
+  }
   context.report(0.5, "Passing from cap to cap");
   const bool has_passed = choose_transitions(extrusion, fixed, metric, motion,
                                              {.negligible = negligible}, points, team, context);

@@ -23,7 +23,7 @@ Placed pass(const Solid& solid, const TransitionOptions& options, int n_threads)
   ThreadTeam team(n_threads);
   Placed out;
   out.points = solid.input();
-  const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, out.points, team);
+  BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, out.points, team);
   const LayerMotion motion =
       make_layer_motion(solid.extrusion, solid.fixed, out.points, metric, team);
   set_predictions(solid.extrusion, motion, solid.fixed, out.points, team);
