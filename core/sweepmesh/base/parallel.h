@@ -7,14 +7,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
-#include <functional>
+#include <mutex>
 #include <thread>
 #include <vector>
 
 namespace sweepmesh {
 
-/// A few threads kept for the length of one stage. They sleep between calls.
+/// A few threads kept for the length of one stage. Between calls they wait: awake for some
+/// microseconds, since most calls follow one another closely, then asleep.
 class ThreadTeam {
  public:
   /// `n_threads` counts the caller too; 0 means as many as the machine has.
@@ -25,7 +27,7 @@ class ThreadTeam {
   }
   ~ThreadTeam() {
     is_over_ = true;
-    start();
+    start_round(0);
     for (std::thread& w : workers_) w.join();
   }
   ThreadTeam(const ThreadTeam&) = delete;
@@ -33,9 +35,16 @@ class ThreadTeam {
 
   static long n_chunks(long n, long grain) { return (n + grain - 1) / grain; }
 
+  /// A grain that makes a few dozen chunks of [0, n), so that small ranges have work for all
+  /// threads too, but within `least` .. `most`.
+  static long grain_of(long n, long least, long most) {
+    constexpr long wanted = 32;
+    return std::clamp((n + wanted - 1) / wanted, least, most);
+  }
+
   /// Calls f(begin, end, chunk) for each chunk of [0, n) of `grain` (the last may be shorter), in
   /// any order and on any thread. The first exception (of the lowest chunk) is thrown again here.
-  /// Must not be called from within f.
+  /// Must not be called from within f. Fewer than 2^32 chunks.
   template <class F>
   void for_chunks(long n, long grain, F&& f) {
     const long chunks = n_chunks(n, grain);
@@ -44,16 +53,16 @@ class ThreadTeam {
       for (long c = 0; c < chunks; ++c) one(c);
       return;
     }
-    std::vector<std::exception_ptr> errors(chunks);
-    run(chunks, [&](long c) noexcept {
+    FirstError error;
+    auto job = [&](long c) noexcept {
       try {
         one(c);
       } catch (...) {
-        errors[c] = std::current_exception();
+        error.note(c, std::current_exception());
       }
-    });
-    for (const std::exception_ptr& e : errors)
-      if (e) std::rethrow_exception(e);
+    };
+    run(chunks, &job, [](void* j, long c) { (*static_cast<decltype(job)*>(j))(c); });
+    if (error.what) std::rethrow_exception(error.what);
   }
 
   /// Sum of f(begin, end) over the chunks, added in the order of the chunks.
@@ -66,37 +75,72 @@ class ThreadTeam {
   }
 
  private:
-  void start() {
-    ++round_;
+  struct FirstError {
+    std::mutex mutex;
+    long chunk = -1;
+    std::exception_ptr what;
+
+    void note(long c, std::exception_ptr e) {
+      const std::lock_guard lock(mutex);
+      if (what && chunk < c) return;
+      chunk = c;
+      what = std::move(e);
+    }
+  };
+
+  /// What `a` holds when it is no longer `value`.
+  static std::uint32_t wait_while(const std::atomic<std::uint32_t>& a, std::uint32_t value) {
+    constexpr int spins = 2000;  // some ten microseconds: what it takes to wake a thread
+    for (int i = 0; i < spins; ++i) {
+      const std::uint32_t now = a;
+      if (now != value) return now;
+#if defined(__x86_64__)
+      __builtin_ia32_pause();
+#endif
+    }
+    a.wait(value);
+    return a;
+  }
+
+  void start_round(std::uint32_t chunks) {
+    const std::uint32_t next = round_ + 1;
+    ticket_ = std::uint64_t{next} << 32 | chunks;
+    round_ = next;
     round_.notify_all();
   }
-  void run(long chunks, std::function<void(long)> job) {
-    job_ = std::move(job);
-    n_jobs_ = chunks;
-    next_ = 0;
-    n_busy_ = static_cast<int>(workers_.size());
-    start();
-    take();
-    for (int b = n_busy_; b != 0; b = n_busy_) n_busy_.wait(b);
+  void run(long chunks, void* data, void (*job)(void*, long)) {
+    data_ = data;
+    job_ = job;
+    n_left_ = n_jobs_ = static_cast<std::uint32_t>(chunks);
+    start_round(n_jobs_);
+    take(round_);
+    for (std::uint32_t left = n_left_; left != 0;) left = wait_while(n_left_, left);
   }
-  void take() {
-    for (long c = next_++; c < n_jobs_; c = next_++) job_(c);
+  /// Does chunks of a round until all are taken. Who takes one holds the round open, so the job is
+  /// still that of the ticket.
+  void take(std::uint32_t round) {
+    for (std::uint64_t t = ticket_; t >> 32 == round && static_cast<std::uint32_t>(t) != 0;) {
+      if (!ticket_.compare_exchange_weak(t, t - 1)) continue;
+      job_(data_, static_cast<long>(n_jobs_ - static_cast<std::uint32_t>(t)));
+      if (--n_left_ == 0) n_left_.notify_one();
+      t = ticket_;
+    }
   }
   void work() {
-    for (unsigned seen = 0;; ++seen) {
-      round_.wait(seen);
+    for (std::uint32_t seen = 0;;) {
+      seen = wait_while(round_, seen);
       if (is_over_) return;
-      take();
-      if (--n_busy_ == 0) n_busy_.notify_one();
+      take(seen);
     }
   }
 
   std::vector<std::thread> workers_;
-  std::function<void(long)> job_;
-  long n_jobs_ = 0;
-  std::atomic<long> next_ = 0;
-  std::atomic<unsigned> round_ = 0;
-  std::atomic<int> n_busy_ = 0;
+  void* data_ = nullptr;
+  void (*job_)(void*, long) = nullptr;
+  std::uint32_t n_jobs_ = 0;
+  std::atomic<std::uint64_t> ticket_ = 0;  ///< the round, and how many of its chunks are not taken
+  std::atomic<std::uint32_t> round_ = 0;
+  std::atomic<std::uint32_t> n_left_ = 0;  ///< chunks of the round that are not done
   std::atomic<bool> is_over_ = false;
 };
 

@@ -62,54 +62,62 @@ void draw_touching_apart(const std::vector<int>& node, PlanarLoops& loops) {
   }
 }
 
+/// What the caps ask of a patch's mesh.
+struct CapWishes {
+  BoundaryAngles angles;
+  std::vector<CapOutline> outlines;
+};
+
 /// Boundary nodes where a single cell would have to open its corner almost flat in one of the
-/// shapes.
-int n_flat_corners(const PlanarMesh& mesh, const BoundaryAngles& angles) {
+/// shapes, and those where the boundary alone makes a corner flat.
+int n_flat_corners(const PlanarMesh& mesh, const CapWishes& caps) {
   constexpr double flat = 160.0 / 180.0 * std::numbers::pi;
   std::vector<int> count(mesh.n_nodes(), 0);
   for (const int n : mesh.cell_nodes) ++count[n];
+  const std::vector<char> is_tied = tied_corners(mesh, caps.outlines);
   int n_flat = 0;
   for (int i = 0; i < mesh.n_boundary; ++i)
-    n_flat += std::any_of(angles.begin(), angles.end(),
-                          [&](const auto& row) { return row[i] > flat * count[i]; });
+    n_flat += is_tied[i] || std::any_of(caps.angles.begin(), caps.angles.end(),
+                                        [&](const auto& row) { return row[i] > flat * count[i]; });
   return n_flat;
 }
 
 /// Where every candidate has flat corners: the same with a ring of cells along the boundary, in
 /// which every node has two cells at least.
-void add_ringed(const PlanarLoops& loops, const BoundaryAngles& angles, const Context& context,
+void add_ringed(const PlanarLoops& loops, const CapWishes& caps, const Context& context,
                 std::vector<PlanarMesh>& candidates) {
   if (std::any_of(candidates.begin(), candidates.end(),
-                  [&](const PlanarMesh& m) { return n_flat_corners(m, angles) == 0; }))
+                  [&](const PlanarMesh& m) { return n_flat_corners(m, caps) == 0; }))
     return;
   for (std::size_t i = 0, n = candidates.size(); i < n; ++i) {
-    const PlanarMesh ringed = smoothed(with_rings(candidates[i], loops, angles), {}, context);
-    candidates.push_back(smoothed(with_regular_valences(ringed, angles), {}, context));
+    const PlanarMesh ringed = smoothed(
+        with_rings(candidates[i], loops, caps.angles, tied_corners(candidates[i], caps.outlines)),
+        {}, context);
+    candidates.push_back(smoothed(with_regular_valences(ringed, caps.angles), {}, context));
   }
 }
 
 std::vector<PlanarMesh>::iterator best_of(std::vector<PlanarMesh>& candidates,
-                                          const BoundaryAngles& angles) {
+                                          const CapWishes& caps) {
   const auto rank = [&](const PlanarMesh& m) {
-    return std::pair(-n_flat_corners(m, angles), overall_quality(m));
+    return std::pair(-n_flat_corners(m, caps), overall_quality(m));
   };
   return std::max_element(candidates.begin(), candidates.end(),
                           [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
 /// Where the best candidate has inverted cells: the same with the domain cut in parts.
-void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options,
-                 const BoundaryAngles& angles, const Context& context,
-                 std::vector<PlanarMesh>& candidates) {
-  const PlanarMesh& best = *best_of(candidates, angles);
+void add_divided(const PlanarLoops& loops, const PlanarMeshOptions& options, const CapWishes& caps,
+                 const Context& context, std::vector<PlanarMesh>& candidates) {
+  const PlanarMesh& best = *best_of(candidates, caps);
   if (quality(best.points, best).n_inverted == 0) return;
   if (auto divided = mesh_divided(loops, best, options, context))
     candidates.push_back(std::move(*divided));
 }
 
-PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const BoundaryAngles& angles,
+PlanarMesh best_candidate(std::vector<PlanarMesh> candidates, const CapWishes& caps,
                           const Context& context) {
-  const auto best = best_of(candidates, angles);
+  const auto best = best_of(candidates, caps);
   constexpr double worth_raising = 0.7;
   constexpr int n_rounds = 6;
   if (quality(best->points, *best).n_inverted == 0)
@@ -138,7 +146,7 @@ void check_corners(const BaseMesh& base, int cell, const Patch& patch) {
 struct PatchShape {
   PlanarLoops loops;
   std::vector<int> boundary;  ///< the base's nodes, loop after loop
-  BoundaryAngles angles;
+  CapWishes caps;
 };
 
 /// The mesh of a patch, and the base's nodes of its boundary.
@@ -159,7 +167,8 @@ PatchShape shape_of(const Model& model, const Imprint& imprint, const std::vecto
     }
   }
   draw_touching_apart(out.boundary, out.loops);
-  out.angles = patch_angles(model, imprint, counts, patch, out.loops);
+  out.caps = {patch_angles(model, imprint, counts, patch, out.loops),
+              cap_outlines(model, imprint, counts, patch)};
   return out;
 }
 
@@ -167,12 +176,12 @@ PlanarMesh chosen_mesh(const PatchShape& shape, CellKind kind, const Context& co
   PlanarMeshOptions options;
   options.kind = kind;
   std::vector<PlanarMesh> candidates =
-      candidate_meshes(shape.loops, options, shape.angles, context);
+      candidate_meshes(shape.loops, options, shape.caps.angles, context);
   if (options.kind == CellKind::quad) {
-    add_ringed(shape.loops, shape.angles, context, candidates);
-    add_divided(shape.loops, options, shape.angles, context, candidates);
+    add_ringed(shape.loops, shape.caps, context, candidates);
+    add_divided(shape.loops, options, shape.caps, context, candidates);
   }
-  return best_candidate(std::move(candidates), shape.angles, context);
+  return best_candidate(std::move(candidates), shape.caps, context);
 }
 
 /// A mesh that is given stays as it is. Errors name the patch's caps.

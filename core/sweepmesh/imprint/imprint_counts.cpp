@@ -219,21 +219,15 @@ PieceDemands imprint_demands(const Model& model, const Scheme& scheme, const Imp
   return out;
 }
 
-ImprintCounts imprint_counts(SolvedIntervals solved, const std::vector<int>& piece) {
-  ImprintCounts out{std::move(solved.intervals), {}};
-  for (const int unknown : piece) out.edge.push_back(static_cast<int>(solved.values[unknown]));
-  return out;
-}
-
-ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                            const IntervalOptions& options, Context& context) {
+PieceCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
+                          const IntervalOptions& options, Context& context) {
   PieceDemands demands = imprint_demands(model, scheme, imprint, options);
-  return imprint_counts(solve_intervals(model, scheme, std::move(demands.whole), options, context),
-                        demands.piece);
+  return piece_counts(solve_intervals(model, scheme, std::move(demands.whole), options, context),
+                      demands.piece);
 }
 
 EdgeNodes place_imprinted_nodes(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                                const ImprintCounts& counts, const IntervalOptions& options) {
+                                const PieceCounts& counts, const IntervalOptions& options) {
   EdgeNodes out = place_edge_nodes(model, counts.intervals, options);
   for (const EdgeId e : model.edges()) {
     if (imprint.chain[e.index].size() < 2) continue;

@@ -1,5 +1,6 @@
 #include "sweepmesh/imprint/patch_angles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -31,6 +32,16 @@ std::optional<CapSide> cap_side(const Model& model, const Imprint& imprint, int 
   return std::nullopt;
 }
 
+/// By edge of a loop.
+std::vector<std::optional<CapSide>> cap_sides(const Model& model, const Imprint& imprint,
+                                              const std::vector<int>& counts,
+                                              const std::vector<DirectedEdge>& loop, FaceId cap) {
+  std::vector<std::optional<CapSide>> out;
+  for (const DirectedEdge& d : loop)
+    out.push_back(cap_side(model, imprint, counts[d.edge], d, cap));
+  return out;
+}
+
 /// Angle where a boundary comes from `before` to `here` and goes on to `after`, with the cap on its
 /// left as seen against `up`.
 double angle_at(const Point3& before, const Point3& here, const Point3& after, const Point3& up) {
@@ -51,9 +62,7 @@ std::vector<std::optional<double>> cap_angles(const Model& model, const Imprint&
                                               const std::vector<int>& counts,
                                               const std::vector<DirectedEdge>& loop, FaceId cap,
                                               bool is_source) {
-  std::vector<std::optional<CapSide>> sides;
-  for (const DirectedEdge& d : loop)
-    sides.push_back(cap_side(model, imprint, counts[d.edge], d, cap));
+  const auto sides = cap_sides(model, imprint, counts, loop, cap);
   std::vector<std::optional<double>> out;
   const auto up = [&](const Point3& normal) { return is_source ? normal : Point3(-normal); };
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -72,7 +81,55 @@ std::vector<std::optional<double>> cap_angles(const Model& model, const Imprint&
   return out;
 }
 
+/// Appends the nodes of a loop.
+void add_loop(const Model& model, const Imprint& imprint, const std::vector<int>& counts,
+              const std::vector<DirectedEdge>& loop, FaceId cap, bool is_source, CapOutline& out) {
+  const auto sides = cap_sides(model, imprint, counts, loop, cap);
+  const std::size_t n_edges = loop.size();
+  for (std::size_t i = 0; i < n_edges; ++i) {
+    const auto &here = sides[i], &before = sides[(i + n_edges - 1) % n_edges];
+    for (int s = 0; s < counts[loop[i].edge]; ++s) {
+      const auto& side = here || s > 0 ? here : before;
+      const std::size_t at = here || s > 0 ? s : counts[loop[(i + n_edges - 1) % n_edges].edge];
+      out.point.push_back(side ? std::optional(side->points[at]) : std::nullopt);
+      const Point3 normal = side ? side->normals[at] : Point3(Point3::Zero());
+      out.up.push_back(is_source ? normal : Point3(-normal));
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<CapOutline> cap_outlines(const Model& model, const Imprint& imprint,
+                                     const std::vector<int>& counts, const Patch& patch) {
+  std::vector<CapOutline> out;
+  for (const Run& run : patch.runs)
+    for (const bool is_source : {false, true}) {
+      out.emplace_back();
+      for (const auto& loop : patch.loops)
+        add_loop(model, imprint, counts, loop, is_source ? run.source : run.target, is_source,
+                 out.back());
+    }
+  return out;
+}
+
+std::vector<char> tied_corners(const PlanarMesh& mesh, const std::vector<CapOutline>& outlines) {
+  constexpr double flat = 170.0 / 180.0 * std::numbers::pi;
+  std::vector<char> out(mesh.n_boundary, false);
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    const std::size_t n = cell.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const int before = cell[(i + n - 1) % n], here = cell[i], after = cell[(i + 1) % n];
+      if (std::max({before, here, after}) >= mesh.n_boundary) continue;
+      for (const CapOutline& o : outlines)
+        if (o.point[before] && o.point[here] && o.point[after] &&
+            angle_at(*o.point[before], *o.point[here], *o.point[after], o.up[here]) > flat)
+          out[here] = true;
+    }
+  }
+  return out;
+}
 
 BoundaryAngles patch_angles(const Model& model, const Imprint& imprint,
                             const std::vector<int>& counts, const Patch& patch,

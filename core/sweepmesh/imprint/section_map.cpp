@@ -207,7 +207,9 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   for (const Point2& p : in_spacings(points, spacing)) mesh.points.push_back(p);
   add_grid(scaled, mesh.points);
   for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
-  std::vector<Point2> all = map_planar(mesh, section.images, {}, context).points;
+  MapOptions options;
+  options.poor = 0.0;  // slivers do no harm to what is carried
+  std::vector<Point2> all = map_planar(mesh, section.images, options, context).points;
   for (Point2& p : all) p *= spacing;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
 }

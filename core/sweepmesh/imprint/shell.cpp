@@ -37,6 +37,39 @@ bool is_fanned_out(const Model& model, const Scheme& scheme, const Point3& direc
   });
 }
 
+/// The vector area of a face: normal to its mean plane, its length the area projected there.
+Point3 vector_area(const Model& model, FaceId face) {
+  constexpr int n_parts = 32;
+  const Point3 origin = model.point(face, model.uv_bounds(face).first);
+  Point3 doubled = Point3::Zero();
+  for (const Loop& loop : model.loops(face))
+    for (const Coedge& c : loop) {
+      if (!c.edge.is_valid() || c.seam) continue;
+      const auto [first, last] = model.range(c.edge);
+      const double sign = c.reversed ? -1.0 : 1.0;
+      Point3 before = model.point(c.edge, first) - origin;
+      for (int i = 1; i <= n_parts; ++i) {
+        const Point3 here = model.point(c.edge, first + (last - first) * i / n_parts) - origin;
+        doubled += sign * before.cross(here);
+        before = here;
+      }
+    }
+  return doubled / 2.0;
+}
+
+/// Whether some cap stands nearly on edge, seen along a direction: a wall's that turns aside.
+bool has_cap_on_edge(const Model& model, const Scheme& scheme, const Point3& direction) {
+  constexpr double least_cosine = 0.5;  // 60 degrees
+  return std::ranges::any_of(scheme.faces_with(FaceRole::source), [&](FaceId f) {
+    return std::abs(vector_area(model, f).dot(direction)) < least_cosine * model.area(f);
+  });
+}
+
+/// Whether all sources lie at one level, and all targets at one below it.
+bool is_one_slab(const std::vector<int>& level) {
+  return *std::ranges::max_element(level) == 1;
+}
+
 class Builder {
  public:
   Builder(const Model& model, const ShellMatch& match) : model_(model), match_(match) {}
@@ -88,9 +121,13 @@ bool is_shell_like(const Model& model, const Scheme& scheme) {
              targets = scheme.faces_with(FaceRole::target);
   if (sources.size() == 1 && targets.size() == 1)
     return has_seam(model, sources[0]) && has_seam(model, targets[0]);
-  const auto directions = common_directions(model, scheme, sweep_levels(model, scheme));
+  const std::vector<int> level = sweep_levels(model, scheme);
+  const auto directions = common_directions(model, scheme, level);
   if (directions.empty()) return true;
-  return is_fanned_out(model, scheme, directions.front()) && match_caps(model, scheme).has_value();
+  const Point3& up = directions.front();
+  const bool is_turned = is_fanned_out(model, scheme, up) ||
+                         (is_one_slab(level) && has_cap_on_edge(model, scheme, up));
+  return is_turned && match_caps(model, scheme).has_value();
 }
 
 Shell find_shell(const Model& model, const Scheme& scheme, const Context& context) {

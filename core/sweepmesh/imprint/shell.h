@@ -49,8 +49,9 @@ struct Shell {
   std::vector<ShellPatch> patches;
 };
 
-/// Whether a scheme asks for a shell: closed or banded caps, columns without a common direction, or
-/// columns that fan out from it between caps that are divided alike.
+/// Whether a scheme asks for a shell: closed or banded caps, columns without a common direction, or,
+/// between caps that are divided alike, columns that fan out from it or caps that stand on edge
+/// seen along it (a sheet that is bent over).
 bool is_shell_like(const Model& model, const Scheme& scheme);
 
 /// The shell of a scheme. Throws ImprintError (unreachable) where sources and targets are divided

@@ -1,53 +1,20 @@
 #include "sweepmesh/pipeline/layout.h"
 
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/imprint/imprint_counts.h"
-#include "sweepmesh/imprint/shell_counts.h"
-#include "sweepmesh/intervals/assign_intervals.h"
-#include "sweepmesh/pipeline/scheme_mesh.h"
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {
-namespace {
-
-/// Throws the stages' errors.
-void lay_out(const Model& model, const Scheme& scheme, double merge_fraction,
-             const IntervalOptions& options, Context& context) {
-  if (is_shell_like(model, scheme)) {
-    count_shell(model, scheme, find_shell(model, scheme, context), options, context);
-  } else if (is_one_to_one(scheme)) {
-    assign_intervals(model, scheme, options, context);
-  } else {
-    const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
-    count_imprint(model, scheme, imprint_caps(model, scheme, how, context), options, context);
-  }
-}
-
-/// What curves do that cannot be carried to another level does not depend on how near they are.
-bool can_merging_help(const Error& error) {
-  const auto* imprint = dynamic_cast<const ImprintError*>(&error);
-  return !error.entities().empty() &&
-         (!imprint || imprint->failure() != ImprintFailure::unreachable);
-}
-
-}  // namespace
-
 std::optional<Reason> layout_fault(const Model& model, const Scheme& scheme,
                                    const SweepOptions& options, Context& context) {
-  const double size = options.size.value_or(default_size(model));
-  const IntervalOptions intervals = interval_options(model, options, size);
-  std::optional<Reason> first;
-  for (const double fraction : merge_fractions(options, size)) try {
-      lay_out(model, scheme, fraction, intervals, context);
-      return {};
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Error& error) {
-      if (!first) first = Reason{ReasonKind::geometric, error.what(), error.entities()};
-      if (!can_merging_help(error)) break;
-    }
-  return first;
+  try {
+    lay_out(model, scheme, options, options.size.value_or(default_size(model)), context);
+    return {};
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    return Reason{ReasonKind::geometric, error.what(), error.entities()};
+  }
 }
 
 bool is_free(const Picks& picks) {

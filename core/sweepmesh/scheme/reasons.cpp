@@ -44,7 +44,7 @@ std::vector<std::string> neighbours(const Network& n, int face) {
 std::vector<int> cap_only_faces(const Network& n, const Context& context) {
   Choices choices = open_choices(n);
   long effort = 0;
-  propagate(n, kImpossible, all_faces(n), choices, effort, context);
+  propagate(n, kImpossible, all_faces(n), choices, effort, context, SearchOptions{}.max_effort);
   std::vector<int> out;
   for (int f : all_faces(n))
     if (!(choices.role[f] & kLinkingStates)) out.push_back(f);
@@ -76,6 +76,20 @@ Reason face_without_role(const Network& n, int face) {
   return {ReasonKind::topological,
           name + " can be neither a source or target nor a linking face next to " + around +
               ". Split it, or cut the solid there.",
+          entities};
+}
+
+/// The faces around it are named, too.
+Reason torn_section(const Network& n, int vertex) {
+  const std::string name = name_of(VertexId{vertex});
+  std::vector<std::string> entities = {name};
+  for (const ProblemCoedge& c : n.problem.coedges)
+    if (c.end == vertex) entities.push_back(name_of(n.problem.faces[c.face].id));
+  std::sort(entities.begin() + 1, entities.end());
+  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
+  return {ReasonKind::topological,
+          "Sections of the solid fall apart into pieces that touch at " + name +
+              " only, so no layers pass there. Cut the solid at " + name + ".",
           entities};
 }
 
@@ -165,6 +179,7 @@ std::vector<Reason> reasons_of_failure(const Network& network, const SearchResul
          {}});
   if (result.rejections.walls) out.push_back(reason_of_walls(network, *result.rejections.walls));
   if (!out.empty()) return out;
+  if (result.rejections.torn) return {torn_section(network, *result.rejections.torn)};
   if (cap_only_faces(network, context).size() == network.problem.faces.size())
     return {no_linking_face(network)};
   if (result.conflict) return {face_without_role(network, result.conflict->face)};

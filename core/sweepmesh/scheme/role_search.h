@@ -36,9 +36,11 @@ struct Rejections {
   int n_without_ends =
       0;  ///< no source, no target, or a closed shell that is a cap where it cannot be
   int n_unbalanced = 0;      ///< sources and targets are not homeomorphic (is_euler_balanced)
+  int n_torn = 0;            ///< columns part at a vertex (torn_vertex)
   int n_voids_askew = 0;     ///< two shells disagree on the way up
   int n_without_counts = 0;  ///< no numbers of mesh edges fit (do_counts_exist)
   int n_walls_opposed = 0;
+  std::optional<int> torn;  ///< the first vertex (SweepProblem index) at which columns part
   std::optional<OpposedWalls> walls;  ///< the first pair of walls that run against each other
 };
 

@@ -31,11 +31,13 @@ PlanarMesh with_regular_valences(const PlanarMesh& mesh,
                                  const std::vector<std::vector<double>>& angles);
 
 /// A ring of quads put around every loop that needs one: a hole that shares a cell with another
-/// loop and has no inside node there (so that it may move on its own), and a loop where a single
-/// cell has to open its corner almost flat in one of the shapes of `angles`. Cells may come out
-/// inverted. `loops` are the mesh's boundary.
+/// loop and has no inside node there (so that it may move on its own), a loop where a single cell
+/// has to open its corner almost flat in one of the shapes of `angles`, and one with a node that is
+/// marked in `wants_ring` (by boundary node; empty: none). Cells may come out inverted. `loops` are
+/// the mesh's boundary.
 PlanarMesh with_rings(const PlanarMesh& mesh, const PlanarLoops& loops,
-                      const std::vector<std::vector<double>>& angles);
+                      const std::vector<std::vector<double>>& angles,
+                      const std::vector<char>& wants_ring = {});
 
 /// Every triangle cut into three quads, every quad into four, with new nodes on the middle of
 /// inside edges and of cells. `boundary` are the nodes of the finer boundary: those of the mesh are

@@ -61,13 +61,16 @@ void add_ring(int first, int count, std::vector<int>& number, PlanarMesh& mesh) 
 }  // namespace
 
 PlanarMesh with_rings(const PlanarMesh& mesh, const PlanarLoops& loops,
-                      const std::vector<std::vector<double>>& angles) {
+                      const std::vector<std::vector<double>>& angles,
+                      const std::vector<char>& wants_ring) {
   std::vector<int> loop_of;
   for (std::size_t l = 0; l < loops.size(); ++l)
     loop_of.insert(loop_of.end(), loops[l].size(), static_cast<int>(l));
   std::vector<char> is_ringed(loops.size(), 0);
   mark_tied_holes(mesh, loop_of, is_ringed);
   mark_flat_corners(mesh, loop_of, angles, is_ringed);
+  for (std::size_t i = 0; i < wants_ring.size(); ++i)
+    if (wants_ring[i]) is_ringed[loop_of[i]] = 1;
   PlanarMesh out;
   out.points = mesh.points;
   out.n_boundary = mesh.n_boundary;

@@ -1,4 +1,4 @@
-// All-quad (or triangle) meshes of plane domains whose boundary edges are given.
+// Meshes of plane domains whose boundary edges are given: of quads, triangles or polygons.
 //
 // Candidates are made, smoothed and measured, and the best one is taken: structured patterns where
 // the counts admit one (quad_templates.h), and unstructured ones by Gmsh (frontal triangles paired
@@ -14,10 +14,13 @@
 
 namespace sweepmesh {
 
-enum class CellKind { quad, triangle };
+/// Polygons are convex, most of them hexagons, with quads along straight boundaries
+/// (polygon_dual.h).
+enum class CellKind { quad, triangle, polygon };
 
 struct PlanarMeshOptions {
-  /// Wished length of inside edges, > 0. Near the boundary the boundary's own edge lengths count.
+  /// Wished length of inside edges, > 0; of polygons the width. Near the boundary the boundary's
+  /// own edge lengths count.
   double size = 1.0;
   CellKind kind = CellKind::quad;
   /// Lengths and angles on the surface that the plane stands for; they decide smoothing and choice.

@@ -34,43 +34,60 @@ class RowSum {
     if (static_cast<int>(place_.size()) < n_cols) place_.resize(n_cols, -1);
   }
   void add(int column, double value) {
-    int& place = place_[column];
-    if (place < 0) {
-      place = static_cast<int>(column_.size());
-      column_.push_back(column);
-      value_.push_back(0.0);
+    const int place = place_[column];
+    if (place >= 0) {
+      value_[place] += value;
+    } else {
+      place_[column] = n_;
+      append(column, value);
     }
-    value_[place] += value;
+  }
+  /// The first and only time that the row gets this column.
+  void append(int column, double value) {
+    if (n_ == static_cast<int>(column_.size())) grow();
+    column_[n_] = column;
+    value_[n_++] = value;
   }
   /// Appends what is not zero to a matrix and forgets it.
   void finish_row(BaseMatrix& matrix) {
-    for (std::size_t i = 0; i < column_.size(); ++i) {
+    const std::size_t first = matrix.column.size();
+    matrix.column.resize(first + n_);
+    matrix.value.resize(first + n_);
+    std::size_t end = first;
+    for (int i = 0; i < n_; ++i) {
       place_[column_[i]] = -1;
-      if (value_[i] == 0.0) continue;
-      matrix.column.push_back(column_[i]);
-      matrix.value.push_back(value_[i]);
+      matrix.column[end] = column_[i];
+      matrix.value[end] = value_[i];
+      end += value_[i] != 0.0 ? 1 : 0;
     }
-    column_.clear();
-    value_.clear();
-    matrix.offset.push_back(static_cast<int>(matrix.column.size()));
+    matrix.column.resize(end);
+    matrix.value.resize(end);
+    matrix.offset.push_back(static_cast<int>(end));
+    n_ = 0;
   }
 
  private:
+  void grow() {
+    column_.resize(2 * column_.size() + 64);
+    value_.resize(column_.size());
+  }
+
   std::vector<int> place_;  ///< per column of the matrix: index in the row, or -1
+  int n_ = 0;
   std::vector<int> column_;
   std::vector<double> value_;
 };
 
-constexpr long rows_per_chunk = 1L << 12;
-
-/// Joins parts that hold rows_per_chunk rows each.
+/// Joins parts, one below the other.
 BaseMatrix join_rows(int n_cols, const std::vector<BaseMatrix>& parts, ThreadTeam& team);
 
 /// The matrix whose rows f(row, RowSum&) adds up. Linear in what is added.
 template <class F>
 BaseMatrix build_rows(int n_rows, int n_cols, ThreadTeam& team, F&& f) {
-  std::vector<BaseMatrix> parts(ThreadTeam::n_chunks(n_rows, rows_per_chunk));
-  team.for_chunks(n_rows, rows_per_chunk, [&](long begin, long end, long chunk) {
+  constexpr long least = 1L << 8, most = 1L << 12;
+  const long grain = ThreadTeam::grain_of(n_rows, least, most);
+  std::vector<BaseMatrix> parts(ThreadTeam::n_chunks(n_rows, grain));
+  team.for_chunks(n_rows, grain, [&](long begin, long end, long chunk) {
     thread_local RowSum sum;
     sum.start(n_cols);
     for (int row = static_cast<int>(begin); row < end; ++row) {

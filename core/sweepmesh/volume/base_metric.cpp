@@ -44,34 +44,63 @@ struct Direction {
   /// Of angles in 0 .. full turn, with equal factors.
   bool is_less_than(const Direction& o) const {
     if ((sine >= 0.0) != (o.sine >= 0.0)) return sine >= 0.0;
-    return sine >= 0.0 ? cosine > o.cosine : cosine < o.cosine;
+    const double side = sine >= 0.0 ? 1.0 : -1.0;
+    return side * cosine > side * o.cosine;
   }
 };
 
-Direction angle_at(const Point3& tip, const Point3& a, const Point3& b) {
-  return {(a - tip).cross(b - tip).norm(), (a - tip).dot(b - tip)};
+/// A quad, divided by its Delaunay diagonal: 0-2 if the angles that face it add up to less than
+/// half a turn.
+void add_quad(const PolygonMatrix& m, const Point3* p, double factor) {
+  // Edge i leads from corner i to the next; the angle at a corner has the lengths of its edges as
+  // factor, sums of opposite angles those of all four.
+  using Four = Eigen::Array4d;
+  const auto next_of = [](const Four& a) { return Four(a[1], a[2], a[3], a[0]); };
+  const auto last_of = [](const Four& a) { return Four(a[3], a[0], a[1], a[2]); };
+  Four out[3], in[3];
+  for (int d = 0; d < 3; ++d) {
+    const Four x(p[0][d], p[1][d], p[2][d], p[3][d]);
+    out[d] = next_of(x) - x;
+    in[d] = last_of(out[d]);
+  }
+  const Four length = out[0] * out[0] + out[1] * out[1] + out[2] * out[2];
+  const Four a = in[1] * out[2] - in[2] * out[1], b = in[2] * out[0] - in[0] * out[2],
+             c = in[0] * out[1] - in[1] * out[0];
+  const Four sine = (a * a + b * b + c * c).sqrt();
+  const Four cosine = -(in[0] * out[0] + in[1] * out[1] + in[2] * out[2]);
+  const auto angle = [&](int i) { return Direction{sine[i], cosine[i]}; };
+  // Which it is for a square, rounding says: no branch that is foreseen half of the times.
+  const int tip = 1 - static_cast<int>((angle(0) + angle(2)).is_less_than(angle(1) + angle(3)));
+  constexpr int pair[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
+  for (int half = 0; half < 2; ++half) {  // the triangle of corner i and its neighbours
+    const int i = tip + 2 * half, last = (i + 3) % 4, next = (i + 1) % 4;
+    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * sine[i] / 6.0;
+    if (!(sine[i] > 0.0)) continue;
+    const double f = 0.5 * factor / sine[i];
+    m.pair_weight[pair[last][next]] += f * cosine[i];
+    m.pair_weight[pair[last][i]] += f * (length[i] - cosine[i]);
+    m.pair_weight[pair[i][next]] += f * (length[last] - cosine[i]);
+  }
 }
 
 void add_polygon(const PolygonMatrix& m, const Point3* p, double factor) {
-  if (m.n == 4) {
-    // The diagonal 0-2 is Delaunay when the angles that face it add up to less than half a turn.
-    // Both sums have the lengths of all four sides as their factor.
-    const Direction facing = angle_at(p[1], p[0], p[2]) + angle_at(p[3], p[2], p[0]);
-    const Direction other = angle_at(p[0], p[3], p[1]) + angle_at(p[2], p[1], p[3]);
-    add_fan(m, p, other.is_less_than(facing) ? 1 : 0, factor);
-    return;
-  }
+  if (m.n == 4) return add_quad(m, p, factor);
   const int n_fans = m.n == 3 ? 1 : m.n;
   for (int apex = 0; apex < n_fans; ++apex) add_fan(m, p, apex, factor / n_fans);
 }
 
-constexpr long cells_per_chunk = 1L << 10;
+/// Cells or columns that a thread takes at a time.
+long grain_of(long n) {
+  return ThreadTeam::grain_of(n, 1L << 5, 1L << 10);
+}
 
 void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
   thread_local std::vector<Point3> p;
   const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
                            &metric.corner_mass[x.cell_offset[c]]};
   p.resize(m.n);
+  std::fill_n(m.pair_weight, m.n * (m.n - 1) / 2, 0.0);
+  std::fill_n(m.corner_mass, m.n, 0.0);
   for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
     for (int i = 0; i < m.n; ++i)
       p[i] = points.row(x.node(x.cell_columns[x.cell_offset[c] + i], k));
@@ -87,9 +116,9 @@ void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, Thr
     const long n = x.cell_size(c);
     metric.pair_offset.push_back(metric.pair_offset.back() + n * (n - 1) / 2);
   }
-  metric.pair_weight.assign(metric.pair_offset.back(), 0.0);
-  metric.corner_mass.assign(x.cell_columns.size(), 0.0);
-  team.for_chunks(x.n_cells(), cells_per_chunk, [&](long begin, long end, long) {
+  metric.pair_weight.resize(metric.pair_offset.back());
+  metric.corner_mass.resize(x.cell_columns.size());
+  team.for_chunks(x.n_cells(), grain_of(x.n_cells()), [&](long begin, long end, long) {
     for (int c = static_cast<int>(begin); c < end; ++c) add_cell(x, points, c, metric);
   });
 }
@@ -141,7 +170,7 @@ void set_heights(const Extrusion& x, const std::vector<char>& fixed, const Point
     for (int k = low; k < high; ++k) sums.add(k - first, length / (high - low));
   };
   // A chunk holds more columns than the layers that its sums have.
-  const long grain = std::max<long>(cells_per_chunk, n_layers);
+  const long grain = std::max<long>(grain_of(x.n_columns()), n_layers);
   const HeightSums linking = sum_heights(n_layers, x.n_columns(), grain, team, add_column);
   const bool has_all = std::all_of(linking.length.begin(), linking.length.end(),
                                    [](double length) { return length > 0.0; });

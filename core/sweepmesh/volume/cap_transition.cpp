@@ -9,13 +9,16 @@
 namespace sweepmesh {
 namespace {
 
-constexpr long grain = 1L << 10;
+/// Columns or cells that a thread takes at a time.
+long grain_of(long n) {
+  return ThreadTeam::grain_of(n, 1L << 6, 1L << 10);
+}
 
 /// Per column: its only block if all its inner nodes are free there, or -1.
 std::vector<int> free_blocks(const Extrusion& x, const std::vector<char>& fixed,
                              const LayerMotion& motion, ThreadTeam& team) {
   std::vector<int> block_of(x.n_columns(), -1);
-  team.for_chunks(x.n_columns(), grain, [&](long begin, long end, long) {
+  team.for_chunks(x.n_columns(), grain_of(x.n_columns()), [&](long begin, long end, long) {
     for (int c = static_cast<int>(begin); c < end; ++c) {
       if (motion.column_offset[c + 1] - motion.column_offset[c] != 1) continue;
       const int b = motion.column_blocks[motion.column_offset[c]];
@@ -36,7 +39,7 @@ Points differences(const Extrusion& x, const LayerMotion& motion, const Points& 
   Points out(x.n_columns(), 3);
   std::vector<AffineMap> back;
   for (const MotionBlock& block : motion.blocks) back.push_back(block.up.back().inverse());
-  team.for_chunks(x.n_columns(), grain, [&](long begin, long end, long) {
+  team.for_chunks(x.n_columns(), grain_of(x.n_columns()), [&](long begin, long end, long) {
     for (int c = static_cast<int>(begin); c < end; ++c) {
       out.row(c).setZero();
       if (motion.column_offset[c] == motion.column_offset[c + 1]) continue;
@@ -84,7 +87,7 @@ void subtract_extension(const Extrusion& x, const BaseMetric& metric,
     const CellsOfColumns cells(base.extrusion);
     const LayeredLevel level =
         make_layered_level(base.extrusion, cells, base.metric, base.fixed, team);
-    std::vector<float> right(level.system.size(), 0.0f);
+    Floats right(level.system.size(), 0.0f);
     for (int c = 0; c < x.n_columns(); ++c) {
       if (level.system.low[c] > level.system.high[c]) continue;
       float* force = right.data() + level.system.offset[c];
@@ -118,6 +121,7 @@ struct BlockQuality {
 std::vector<BlockQuality> measure(const Extrusion& x, const LayerMotion& motion,
                                   const Points& points, ThreadTeam& team) {
   const std::vector<BlockQuality> none(motion.blocks.size());
+  const long grain = grain_of(x.n_cells());
   std::vector<std::vector<BlockQuality>> parts(ThreadTeam::n_chunks(x.n_cells(), grain), none);
   team.for_chunks(x.n_cells(), grain, [&](long begin, long end, long chunk) {
     for (int c = static_cast<int>(begin); c < end; ++c) {
@@ -167,7 +171,7 @@ class Transitions {
   }
 
   void change_to(const std::vector<Ramp>& next, Points& points, ThreadTeam& team) {
-    team.for_chunks(x_.n_columns(), grain, [&](long begin, long end, long) {
+    team.for_chunks(x_.n_columns(), grain_of(x_.n_columns()), [&](long begin, long end, long) {
       for (int c = static_cast<int>(begin); c < end; ++c) {
         const int b = block_of_[c];
         if (b < 0 || next[b] == ramp[b]) continue;

@@ -12,8 +12,9 @@ namespace sweepmesh::kernels {
 
 namespace {
 
-/// Eight floats at any address; the compiler takes one register or two for them.
+/// Floats at any address; the compiler takes one register or two for eight.
 using Eight [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+using Four [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
 
 const Eight& eight(const float* p) {
   return *reinterpret_cast<const Eight*>(p);
@@ -21,93 +22,252 @@ const Eight& eight(const float* p) {
 Eight& eight(float* p) {
   return *reinterpret_cast<Eight*>(p);
 }
+const Four& four(const float* p) {
+  return *reinterpret_cast<const Four*>(p);
+}
+Four& four(float* p) {
+  return *reinterpret_cast<Four*>(p);
+}
+
+/// Writes put(place, sum over j of a[j] x[j]) for all n places, eight at a time. The last places
+/// are done twice rather than one by one.
+template <class Put>
+[[gnu::always_inline]] inline void sum_streams(const float* const* x, const float* a, int m, long n,
+                                               Put&& put) {
+  if (n < 8) {
+    for (long i = 0; i < n; ++i) {
+      float sum = 0.0f;
+      for (int j = 0; j < m; ++j) sum += a[j] * x[j][i];
+      put(i, sum);
+    }
+    return;
+  }
+  for (long i = 0; i < n; i += 32) {  // the sums stay in registers over all j
+    const long last = n - 8, i0 = i < last ? i : last, i1 = i + 8 < last ? i + 8 : last,
+               i2 = i + 16 < last ? i + 16 : last, i3 = i + 24 < last ? i + 24 : last;
+    Eight s0 = {}, s1 = {}, s2 = {}, s3 = {};
+    for (int j = 0; j < m; ++j) {
+      const float* p = x[j];
+      s0 += a[j] * eight(p + i0);
+      s1 += a[j] * eight(p + i1);
+      s2 += a[j] * eight(p + i2);
+      s3 += a[j] * eight(p + i3);
+    }
+    put(i0, s0);
+    put(i1, s1);
+    put(i2, s2);
+    put(i3, s3);
+  }
+}
+
+struct Plain {
+  float* y;
+  [[gnu::always_inline]] void operator()(long i, float sum) const { y[i] = sum; }
+  [[gnu::always_inline]] void operator()(long i, const Eight& sum) const { eight(y + i) = sum; }
+};
+
+struct Added {
+  float* y;
+  const float* b;
+  [[gnu::always_inline]] void operator()(long i, float sum) const { y[i] = b[i] + sum; }
+  [[gnu::always_inline]] void operator()(long i, const Eight& sum) const {
+    eight(y + i) = eight(b + i) + sum;
+  }
+};
+
+struct Scaled {
+  float* y;
+  const float* s;
+  [[gnu::always_inline]] void operator()(long i, float sum) const { y[i] = s[i] * sum; }
+  [[gnu::always_inline]] void operator()(long i, const Eight& sum) const {
+    eight(y + i) = eight(s + i) * sum;
+  }
+};
+
+struct Subtracted {
+  float* y;
+  const float *b, *s;
+  [[gnu::always_inline]] void operator()(long i, float sum) const { y[i] = b[i] - s[i] * sum; }
+  [[gnu::always_inline]] void operator()(long i, const Eight& sum) const {
+    eight(y + i) = eight(b + i) - eight(s + i) * sum;
+  }
+};
+
+/// A x at some places, given the sum over the base row there.
+struct Product {
+  ColumnProduct c;
+  float* y;
+
+  template <class T, class At>
+  [[gnu::always_inline]] T value(long i, const T& sum, At&& at) const {
+    const T up = at(c.up + i), down = at(c.down + i);
+    const T diagonal = c.lower * up + c.upper * down + c.above * at(c.up_beyond + i) +
+                       c.below * at(c.down_beyond + i);
+    return at(c.share + i) * sum + diagonal * at(c.x + i) -
+           c.across * (down * at(c.x + i - 3) + up * at(c.x + i + 3));
+  }
+  [[gnu::always_inline]] float at(long i, float sum) const {
+    return value(i, sum, [](const float* p) { return *p; });
+  }
+  [[gnu::always_inline]] Eight at(long i, const Eight& sum) const {
+    return value(i, sum, [](const float* p) { return eight(p); });
+  }
+  [[gnu::always_inline]] void operator()(long i, float sum) const { y[i] = at(i, sum); }
+  [[gnu::always_inline]] void operator()(long i, const Eight& sum) const {
+    eight(y + i) = at(i, sum);
+  }
+};
+
+struct ProductRest {
+  Product product;
+  const float* b;
+
+  [[gnu::always_inline]] void operator()(long i, float sum) const {
+    product.y[i] = b[i] - product.at(i, sum);
+  }
+  [[gnu::always_inline]] void operator()(long i, const Eight& sum) const {
+    eight(product.y + i) = eight(b + i) - product.at(i, sum);
+  }
+};
+
+[[gnu::always_inline]] inline double inner_product(const float* x, const float* y, long n) {
+  Eight s0 = {}, s1 = {};
+  long i = 0;
+  for (; i + 16 <= n; i += 16) {
+    s0 += eight(x + i) * eight(y + i);
+    s1 += eight(x + i + 8) * eight(y + i + 8);
+  }
+  if (i + 8 <= n) {
+    s0 += eight(x + i) * eight(y + i);
+    i += 8;
+  }
+  s0 += s1;
+  double total = 0.0;
+  for (int l = 0; l < 8; ++l) total += s0[l];
+  for (; i < n; ++i) total += static_cast<double>(x[i]) * y[i];
+  return total;
+}
+
+Four load_three(const float* p) {
+  return Four{p[0], p[1], p[2], 0.0f};
+}
+void store_three(float* p, const Four& v) {
+  p[0] = v[0];
+  p[1] = v[1];
+  p[2] = v[2];
+}
+
+/// Of node k of n: of the last one nothing is read or written beyond its three floats.
+[[gnu::always_inline]] inline Four load(const float* p, long k, long n) {
+  return k + 1 < n ? four(p + 3 * k) : load_three(p + 3 * k);
+}
+
+/// y = alpha x + beta z + gamma y.
+struct Mix {
+  float alpha, beta, gamma;
+  const float* x;
+  float* y;
+};
+
+/// From the last node down to the first: the right-hand sides, eliminated, to `work`.
+template <int m>
+[[gnu::always_inline]] inline void eliminate(const ColumnSystems& c, const float (&across)[m],
+                                             float* work) {
+  const long n = c.n_nodes;
+  Four last[m] = {};
+  for (long k = n - 1; k >= 0; --k)
+    for (int i = 0; i < m; ++i) {
+      const float f = k + 1 < n ? across[i] * c.spring[i * c.spring_stride + k] : 0.0f;
+      last[i] = c.pivot[i * n + k] * (four(c.r + 3 * (i * n + k)) + f * last[i]);
+      four(work + 4 * (m * k + i)) = last[i];
+    }
+}
+
+/// From the first node up.
+template <int m, bool has_old>
+[[gnu::always_inline]] inline void substitute(const ColumnSystems& c, const float (&across)[m],
+                                              const Mix& mix, const float* work) {
+  const long n = c.n_nodes;
+  Four z[m] = {}, old[m] = {};
+  if constexpr (has_old)
+    for (int i = 0; i < m; ++i) old[i] = load(mix.y + 3 * i * n, 0, n);
+  for (long k = 0; k < n; ++k)
+    for (int i = 0; i < m; ++i) {
+      float* y = mix.y + 3 * i * n;
+      const float spring = k > 0 ? c.spring[i * c.spring_stride + k - 1] : 0.0f;
+      z[i] = four(work + 4 * (m * k + i)) + c.pivot[i * n + k] * (across[i] * spring) * z[i];
+      Four v = mix.alpha * load(mix.x + 3 * i * n, k, n) + mix.beta * z[i];
+      if constexpr (has_old) v += mix.gamma * old[i];
+      if (k + 1 == n) {
+        store_three(y + 3 * k, v);
+        continue;
+      }
+      if constexpr (has_old) old[i] = load(y, k + 1, n);
+      four(y + 3 * k) = v;  // the fourth is written over by the next
+    }
+}
+
+template <int m>
+[[gnu::always_inline]] inline void solve_abreast(const ColumnSystems& systems, const Mix& mix,
+                                                 float* work) {
+  const ColumnSystems c = systems;
+  float across[m];
+  for (int i = 0; i < m; ++i) across[i] = c.across[i];
+  eliminate(c, across, work);
+  if (mix.gamma != 0.0f)
+    substitute<m, true>(c, across, mix, work);
+  else
+    substitute<m, false>(c, across, mix, work);
+}
 
 }  // namespace
 
+SWEEPMESH_WIDE void sum_scaled(float* y, const float* b, const float* const* x, const float* a,
+                               int m, long n) {
+  if (b)
+    sum_streams(x, a, m, n, Added{y, b});
+  else
+    sum_streams(x, a, m, n, Plain{y});
+}
+
 SWEEPMESH_WIDE void weighted_sum(float* y, const float* const* x, const float* a, int m,
                                  const float* s, long n) {
-  long i = 0;
-  for (; i + 32 <= n; i += 32) {  // the sums stay in registers over all j
-    Eight s0 = {}, s1 = {}, s2 = {}, s3 = {};
-    for (int j = 0; j < m; ++j) {
-      const float* p = x[j] + i;
-      s0 += a[j] * eight(p);
-      s1 += a[j] * eight(p + 8);
-      s2 += a[j] * eight(p + 16);
-      s3 += a[j] * eight(p + 24);
-    }
-    eight(y + i) = s0 * eight(s + i);
-    eight(y + i + 8) = s1 * eight(s + i + 8);
-    eight(y + i + 16) = s2 * eight(s + i + 16);
-    eight(y + i + 24) = s3 * eight(s + i + 24);
-  }
-  for (; i + 8 <= n; i += 8) {
-    Eight sum = {};
-    for (int j = 0; j < m; ++j) sum += a[j] * eight(x[j] + i);
-    eight(y + i) = sum * eight(s + i);
-  }
-  for (; i < n; ++i) {
-    float sum = 0.0f;
-    for (int j = 0; j < m; ++j) sum += a[j] * x[j][i];
-    y[i] = s[i] * sum;
-  }
+  sum_streams(x, a, m, n, Scaled{y, s});
+}
+
+SWEEPMESH_WIDE void subtract_weighted_sum(float* y, const float* b, const float* const* x,
+                                          const float* a, int m, const float* s, long n) {
+  sum_streams(x, a, m, n, Subtracted{y, b, s});
 }
 
 SWEEPMESH_WIDE void add_scaled(float* __restrict y, const float* __restrict x, float a, long n) {
   for (long i = 0; i < n; ++i) y[i] += a * x[i];
 }
 
-SWEEPMESH_WIDE void scale_and_add(float* __restrict y, const float* __restrict x, float a, long n) {
-  for (long i = 0; i < n; ++i) y[i] = a * y[i] + x[i];
+SWEEPMESH_WIDE void combine(float* __restrict y, const float* __restrict x, float a, float b,
+                            long n) {
+  for (long i = 0; i < n; ++i) y[i] = a * y[i] + b * x[i];
 }
 
-SWEEPMESH_WIDE void subtract(float* __restrict y, const float* __restrict x, long n) {
-  for (long i = 0; i < n; ++i) y[i] -= x[i];
+SWEEPMESH_WIDE double dot(const float* x, const float* y, long n) {
+  return inner_product(x, y, n);
 }
 
-SWEEPMESH_WIDE void add_product(float* __restrict y, const float* __restrict x,
-                                const float* __restrict s, float a, long n) {
-  for (long i = 0; i < n; ++i) y[i] += a * s[i] * x[i];
+SWEEPMESH_WIDE double multiply(const ColumnProduct& column, const float* b, float* y, long n) {
+  if (b)
+    sum_streams(column.streams, column.weight, column.n_streams, n, ProductRest{{column, y}, b});
+  else
+    sum_streams(column.streams, column.weight, column.n_streams, n, Product{column, y});
+  return inner_product(column.x, y, n);
 }
 
-SWEEPMESH_WIDE double dot(const float* __restrict x, const float* __restrict y, long n) {
-  constexpr int lanes = 16;
-  float sum[lanes] = {};
-  long i = 0;
-  for (; i + lanes <= n; i += lanes)
-    for (int l = 0; l < lanes; ++l) sum[l] += x[i + l] * y[i + l];
-  double total = 0.0;
-  for (; i < n; ++i) total += static_cast<double>(x[i]) * y[i];
-  for (int l = 0; l < lanes; ++l) total += sum[l];
-  return total;
-}
-
-SWEEPMESH_WIDE void add_layers(float* __restrict y, const float* __restrict x,
-                               const float* __restrict s, float lower, float upper, float across,
-                               long n) {
-  for (long i = 0; i < n; ++i) y[i] += s[i] * (lower * x[i] - across * x[i + 3]);
-  for (long i = 0; i < n; ++i) y[i + 3] += s[i] * (upper * x[i + 3] - across * x[i]);
-}
-
-void solve_tridiagonal(const float* __restrict r, const float* __restrict pivot,
-                       const float* __restrict coupling, float* __restrict z, long n) {
-  float last[3] = {};
-  for (long k = 0; k < n; ++k) {
-    const float c = k > 0 ? coupling[k - 1] : 0.0f;
-    for (int d = 0; d < 3; ++d) z[3 * k + d] = last[d] = pivot[k] * (r[3 * k + d] + c * last[d]);
-  }
-  for (long k = n - 2; k >= 0; --k) {
-    const float f = pivot[k] * coupling[k];
-    for (int d = 0; d < 3; ++d) z[3 * k + d] = last[d] = z[3 * k + d] + f * last[d];
-  }
-}
-
-SWEEPMESH_WIDE void advance(float* __restrict x, float* __restrict d, const float* __restrict z,
-                            float a, float b, long n) {
-  for (long i = 0; i < n; ++i) {
-    d[i] = a * d[i] + b * z[i];
-    x[i] += d[i];
-  }
+SWEEPMESH_WIDE void solve_columns(const ColumnSystems& systems, int n_columns, float alpha,
+                                  const float* x, float beta, float gamma, float* y, float* work) {
+  const Mix mix = {alpha, beta, gamma, x, y};
+  if (n_columns == n_abreast)
+    solve_abreast<n_abreast>(systems, mix, work);
+  else
+    solve_abreast<1>(systems, mix, work);
 }
 
 }  // namespace sweepmesh::kernels

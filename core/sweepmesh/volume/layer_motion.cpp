@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <string>
 
 #include "sweepmesh/base/errors.h"
@@ -15,6 +14,9 @@ namespace {
 
 /// Directions with less than this part of the largest variance (squared) count as none.
 constexpr double flat_variance = 64.0 * std::numeric_limits<double>::epsilon();
+
+/// Of columns or cells in a chunk of work.
+constexpr long few = 1L << 7, many = 1L << 10;
 
 Point3 mean_of(const std::vector<Point3>& points) {
   Point3 sum = Point3::Zero();
@@ -65,20 +67,37 @@ std::vector<AffineMap> chain(const std::vector<Slab>& slabs, const std::vector<S
 /// Whether the map from the low end of each block to its high end says more of the motion than no
 /// map: loops that are small beside their caps say nothing of what lies far from them.
 std::vector<char> are_telling(const std::vector<std::vector<AffineMap>>& maps, const Extrusion& x,
-                              const Points& points, const LayerMotion& motion) {
+                              const Points& points, const LayerMotion& motion, ThreadTeam& team) {
   constexpr double most_off = 0.5;  // of the way
-  std::vector<double> off(maps.size(), 0.0), way(maps.size(), 0.0);
-  for (int c = 0; c < x.n_columns(); ++c)
+  struct Lengths {
+    std::vector<double> off, way;
+  };
+  const Lengths none = {std::vector<double>(maps.size(), 0.0),
+                        std::vector<double>(maps.size(), 0.0)};
+  const auto add_column = [&](int c, Lengths& sum) {
     for (int i = motion.column_offset[c]; i < motion.column_offset[c + 1]; ++i) {
       const int b = motion.column_blocks[i];
       if (maps[b].empty()) continue;
       const Point3 low = points.row(x.node(c, motion.blocks[b].k_low));
       const Point3 high = points.row(x.node(c, motion.blocks[b].k_high));
-      off[b] += (maps[b].back()(low) - high).norm();
-      way[b] += (low - high).norm();
+      sum.off[b] += (maps[b].back()(low) - high).norm();
+      sum.way[b] += (low - high).norm();
     }
+  };
+  const long grain = ThreadTeam::grain_of(x.n_columns(), few, many);
+  std::vector<Lengths> parts(ThreadTeam::n_chunks(x.n_columns(), grain), none);
+  team.for_chunks(x.n_columns(), grain, [&](long begin, long end, long chunk) {
+    for (int c = static_cast<int>(begin); c < end; ++c) add_column(c, parts[chunk]);
+  });
   std::vector<char> out(maps.size());
-  for (std::size_t b = 0; b < out.size(); ++b) out[b] = off[b] <= most_off * way[b];
+  for (std::size_t b = 0; b < out.size(); ++b) {
+    double off = 0.0, way = 0.0;
+    for (const Lengths& part : parts) {
+      off += part.off[b];
+      way += part.way[b];
+    }
+    out[b] = off <= most_off * way;
+  }
   return out;
 }
 
@@ -98,67 +117,19 @@ void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlo
   block.up = std::move(maps);
 }
 
-void find_blocks(const Extrusion& x, LayerMotion& motion) {
-  // Cells are joined through the first cell that a column saw with the same ends.
-  DisjointSets sets(x.n_cells());
-  std::map<std::pair<int, int>, std::vector<int>> seen;
-  for (int c = 0; c < x.n_cells(); ++c) {
-    std::vector<int>& first = seen[{x.cell_k_low[c], x.cell_k_high[c]}];
-    if (first.empty()) first.assign(x.n_columns(), -1);
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      int& f = first[x.cell_columns[i]];
-      if (f < 0) f = c;
-      sets.join(f, c);
-    }
-  }
-  motion.cell_block.resize(x.n_cells());
-  for (int c = 0; c < x.n_cells(); ++c) {
-    const int root = sets.root(c);
-    if (root == c) {
-      motion.cell_block[c] = static_cast<int>(motion.blocks.size());
-      motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, {}, false});
-    } else {
-      motion.cell_block[c] = motion.cell_block[root];
-    }
-  }
-}
-
-/// Most columns have one block; pairs of the others are sorted.
-void list_blocks_of_columns(const Extrusion& x, LayerMotion& motion) {
-  std::vector<int> first(x.n_columns(), -1);
-  std::vector<std::pair<int, int>> more;  // column, block
-  for (int c = 0; c < x.n_cells(); ++c)
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      int& own = first[x.cell_columns[i]];
-      if (own < 0) own = motion.cell_block[c];
-      if (own != motion.cell_block[c]) more.emplace_back(x.cell_columns[i], motion.cell_block[c]);
-    }
-  for (std::size_t i = 0, n = more.size(); i < n; ++i)
-    more.emplace_back(more[i].first, first[more[i].first]);
-  std::sort(more.begin(), more.end());
-  more.erase(std::unique(more.begin(), more.end()), more.end());
-  motion.column_offset.assign(1, 0);
-  motion.column_offset.reserve(x.n_columns() + 1);
-  auto next = more.begin();
-  for (int column = 0; column < x.n_columns(); ++column) {
-    if (next == more.end() || next->first != column) {
-      if (first[column] >= 0) motion.column_blocks.push_back(first[column]);
-    } else {
-      for (; next != more.end() && next->first == column; ++next)
-        motion.column_blocks.push_back(next->second);
-    }
-    motion.column_offset.push_back(static_cast<int>(motion.column_blocks.size()));
-  }
-}
-
-void check_ends(const Extrusion& x, const std::vector<char>& fixed) {
-  for (int c = 0; c < x.n_cells(); ++c)
+void check_ends(const Extrusion& x, const std::vector<char>& fixed, ThreadTeam& team) {
+  const auto check_cell = [&](int c) {
     for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i)
       for (const int k : {x.cell_k_low[c], x.cell_k_high[c]})
         if (!fixed[x.node(x.cell_columns[i], k)])
           throw InputError("place", "The end of a run at layer " + std::to_string(k) +
                                         " has a node without a position (column " +
                                         std::to_string(x.cell_columns[i]) + ").");
+  };
+  const long grain = ThreadTeam::grain_of(x.n_cells(), few, many);
+  team.for_chunks(x.n_cells(), grain, [&](long begin, long end, long) {
+    for (int c = static_cast<int>(begin); c < end; ++c) check_cell(c);
+  });
 }
 
 }  // namespace
@@ -190,12 +161,15 @@ bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, 
 }
 
 LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char>& fixed,
-                              const Points& points, const BaseMetric& metric) {
-  check_ends(extrusion, fixed);
+                              const Points& points, const BaseMetric& metric, ThreadTeam& team) {
+  check_ends(extrusion, fixed, team);
+  RunBlocks runs = find_blocks(extrusion);
+  const std::vector<Slab> slabs = find_slabs(extrusion, fixed, runs, team);
   LayerMotion motion;
-  find_blocks(extrusion, motion);
-  list_blocks_of_columns(extrusion, motion);
-  const std::vector<Slab> slabs = find_slabs(extrusion, fixed);
+  for (const auto& [low, high] : runs.ends) motion.blocks.push_back({low, high, {}, {}, false});
+  motion.cell_block = std::move(runs.of_cell);
+  motion.column_offset = std::move(runs.column_offset);
+  motion.column_blocks = std::move(runs.column_blocks);
   const std::vector<SlabMotion> motions = fit_slabs(extrusion, points, slabs);
   std::vector<std::vector<AffineMap>> maps(motion.blocks.size());
   std::vector<char> is_chained(motion.blocks.size(), 0);
@@ -206,7 +180,7 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
     const int column = extrusion.cell_columns[extrusion.cell_offset[c]];
     maps[b] = chain(slabs, motions, motion.blocks[b], column);
   }
-  const std::vector<char> is_telling = are_telling(maps, extrusion, points, motion);
+  const std::vector<char> is_telling = are_telling(maps, extrusion, points, motion, team);
   for (std::size_t b = 0; b < maps.size(); ++b)
     set_blends(metric, is_telling[b] ? std::move(maps[b]) : std::vector<AffineMap>(),
                motion.blocks[b]);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "sweepmesh/base/geometry.h"
+#include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/base_metric.h"
 #include "sweepmesh/volume/extrusion.h"
 
@@ -65,7 +66,7 @@ struct LayerMotion {
 
 /// Linear in the number of fixed nodes. Throws InputError when an end of a run is not fixed.
 LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char>& fixed,
-                              const Points& points, const BaseMetric& metric);
+                              const Points& points, const BaseMetric& metric, ThreadTeam& team);
 
 /// Predictions of `column` in `block` for the levels k_begin .. k_end - 1, written to `out`.
 void predict(const Extrusion& extrusion, const Points& points, const MotionBlock& block, int column,

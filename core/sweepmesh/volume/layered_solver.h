@@ -7,10 +7,9 @@
 // number of threads.
 #pragma once
 
-#include <vector>
-
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/floats.h"
 #include "sweepmesh/volume/layered_system.h"
 
 namespace sweepmesh {
@@ -30,7 +29,7 @@ struct SolverReport {
 
 /// `x` is the right-hand side on entry and the solution on return, in the layout of the finest
 /// level. Throws SolverError when it does not converge, and Cancelled.
-SolverReport solve(const LayeredLevel& finest, std::vector<float>& x, const SolverOptions& options,
+SolverReport solve(const LayeredLevel& finest, Floats& x, const SolverOptions& options,
                    ThreadTeam& team, const Context& context);
 
 }  // namespace sweepmesh

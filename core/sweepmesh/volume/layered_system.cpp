@@ -6,12 +6,12 @@
 namespace sweepmesh {
 namespace {
 
-constexpr long columns_per_chunk = 1L << 12;
-
 /// Calls f(column) for all columns, on all threads.
 template <class F>
 void for_columns(std::size_t n_columns, ThreadTeam& team, F&& f) {
-  team.for_chunks(static_cast<long>(n_columns), columns_per_chunk, [&](long begin, long end, long) {
+  constexpr long least = 1L << 7, most = 1L << 12;
+  const long n = static_cast<long>(n_columns);
+  team.for_chunks(n, ThreadTeam::grain_of(n, least, most), [&](long begin, long end, long) {
     for (int c = static_cast<int>(begin); c < end; ++c) f(c);
   });
 }
@@ -107,13 +107,16 @@ void set_hulls(LayeredSystem& s) {
   const int n = static_cast<int>(s.rows.front().diagonal.size());
   s.low.assign(n, 0);
   s.high.assign(n, -1);
-  s.offset.assign(1, 0);
+  s.offset.assign(1, LayeredSystem::pad);
+  s.offset.reserve(n + 1);
+  s.start.resize(n);
   for (int c = 0; c < n; ++c) {
     for (int t = 0; t < s.n_bands(); ++t) {
       if (s.rows[t].diagonal[c] == 0.0f) continue;
       if (s.high[c] < 0) s.low[c] = s.band_begin[t];
       s.high[c] = s.band_begin[t + 1] - 1;
     }
+    s.start[c] = s.offset.back() - 3L * s.low[c];
     s.offset.push_back(s.offset.back() + 3L * (s.high[c] - s.low[c] + 1));
   }
 }
@@ -171,7 +174,7 @@ Couplings find_couplings(const BaseMatrix& matrix, ThreadTeam& team) {
     matrix.for_row(c, [&](int b, double v) {
       if (b == c) return;
       if (v < 0.0 && v * v > limit * out.diagonal[b])
-        sum.add(b, -v);
+        sum.append(b, -v);
       else
         out.lumped[c] += v;
     });
@@ -256,7 +259,11 @@ LayeredLevel make_layered_level(const Extrusion& extrusion, const CellsOfColumns
 }
 
 BaseMatrix make_prolongation(const LayeredLevel& fine, ThreadTeam& team) {
-  const Couplings couplings = find_couplings(sum_over_levels(fine, team), team);
+  const auto is_used = [](const BaseMatrix& m) { return !m.is_zero(); };
+  const auto used = std::find_if(fine.matrix.begin(), fine.matrix.end(), is_used);
+  const bool is_only = std::count_if(fine.matrix.begin(), fine.matrix.end(), is_used) == 1;
+  const Couplings couplings =
+      is_only ? find_couplings(*used, team) : find_couplings(sum_over_levels(fine, team), team);
   int n_aggregates = 0;
   const std::vector<int> aggregate = make_aggregates(couplings, n_aggregates);
   // One damped Jacobi step on the aggregates, with the weak couplings lumped to the diagonal.

@@ -10,9 +10,11 @@
 // A vector holds, column by column, three floats (x, y, z) for every level of the column's hull
 // (first to last free level), so that neighbours in the base are neighbouring streams of memory.
 // Single precision is enough: the unknown is a correction of a few elements at most. Nodes of the
-// hull that are not free hold zero.
+// hull that are not free hold zero, and so do a few floats before the first column and behind the
+// last, so that kernels may look beyond a column's ends.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "sweepmesh/base/parallel.h"
@@ -20,6 +22,7 @@
 #include "sweepmesh/volume/base_metric.h"
 #include "sweepmesh/volume/element_index.h"
 #include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/floats.h"
 
 namespace sweepmesh {
 
@@ -37,6 +40,7 @@ struct BaseRows {
 };
 
 struct LayeredSystem {
+  static constexpr long pad = 24;  ///< floats before the first column, and behind the last
   int k_first = 0;                 ///< level of index 0 of the arrays over levels
   std::vector<float> share;        ///< per level: entry of M1; 3 times each
   std::vector<float> spring;       ///< per layer: minus the off-diagonal entry of K1; 3 times each
@@ -46,17 +50,33 @@ struct LayeredSystem {
   std::vector<int> low,
       high;  ///< per column: hull of its free levels (from k_first), low > high: none
   std::vector<long> offset;  ///< per column: its first float
+  std::vector<long> start;   ///< per column: where the first float of level 0 would be
 
   int n_columns() const { return static_cast<int>(low.size()); }
   int n_bands() const { return static_cast<int>(rows.size()); }
-  long size() const { return offset.back(); }
-  float* at(float* v, int column, int k) const {
-    return v + offset[column] + 3L * (k - low[column]);
+  bool is_empty() const { return offset.back() == pad; }
+  long size() const { return offset.back() + pad; }
+  /// Undefined but for what lies before and behind the columns.
+  Floats make_vector() const {
+    Floats v(size());
+    std::fill_n(v.begin(), pad, 0.0f);
+    std::fill_n(v.end() - pad, pad, 0.0f);
+    return v;
   }
-  const float* at(const float* v, int column, int k) const {
-    return v + offset[column] + 3L * (k - low[column]);
-  }
+  float* at(float* v, int column, int k) const { return v + start[column] + 3L * k; }
+  const float* at(const float* v, int column, int k) const { return v + start[column] + 3L * k; }
 };
+
+/// Calls f(rows, first, last) for the bands in which a column is free, with their levels first ..
+/// last - 1.
+template <class F>
+void for_free_bands(const LayeredSystem& s, int column, F&& f) {
+  for (int t = 0; t < s.n_bands(); ++t) {
+    const int first = std::max(s.low[column], s.band_begin[t]);
+    const int last = std::min(s.high[column] + 1, s.band_begin[t + 1]);
+    if (first < last && s.rows[t].diagonal[column] != 0.0f) f(s.rows[t], first, last);
+  }
+}
 
 /// A system with what only the making of coarser ones needs.
 struct LayeredLevel {

@@ -19,34 +19,32 @@
 namespace sweepmesh {
 namespace {
 
-constexpr long columns_per_chunk = 256;
-
 /// Diagonal of the box around the fixed nodes.
 double size_of(const Points& points, const std::vector<char>& fixed, ThreadTeam& team) {
-  constexpr long nodes_per_chunk = 1L << 16;
+  const long n_nodes = static_cast<long>(fixed.size());
+  const long grain = ThreadTeam::grain_of(n_nodes, 1L << 10, 1L << 16);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   using Box = std::pair<Point3, Point3>;
   const Box none = {Point3::Constant(infinity), Point3::Constant(-infinity)};
-  std::vector<Box> boxes(ThreadTeam::n_chunks(static_cast<long>(fixed.size()), nodes_per_chunk),
-                         none);
-  team.for_chunks(static_cast<long>(fixed.size()), nodes_per_chunk,
-                  [&](long begin, long end, long chunk) {
-                    auto& [low, high] = boxes[chunk];
-                    for (long n = begin; n < end; ++n) {
-                      if (!fixed[n]) continue;
-                      low = low.cwiseMin(Point3(points.row(n)));
-                      high = high.cwiseMax(Point3(points.row(n)));
-                    }
-                  });
+  std::vector<Box> boxes(ThreadTeam::n_chunks(n_nodes, grain), none);
+  team.for_chunks(n_nodes, grain, [&](long begin, long end, long chunk) {
+    auto [low, high] = none;
+    for (long n = begin; n < end; ++n) {
+      if (!fixed[n]) continue;
+      low = low.cwiseMin(Point3(points.row(n)));
+      high = high.cwiseMax(Point3(points.row(n)));
+    }
+    boxes[chunk] = {low, high};
+  });
   Box all = none;
   for (const auto& [low, high] : boxes) all = {all.first.cwiseMin(low), all.second.cwiseMax(high)};
   return (all.second - all.first).norm();
 }
 
 /// Adds the correction, which was solved for in units of `unit`, to the free nodes.
-void add_correction(const Extrusion& x, const LayeredSystem& system, const std::vector<float>& e,
-                    double unit, Points& points, ThreadTeam& team) {
-  team.for_chunks(x.n_columns(), columns_per_chunk, [&](long begin, long end, long) {
+void add_correction(const Extrusion& x, const LayeredSystem& system, const Floats& e, double unit,
+                    Points& points, ThreadTeam& team) {
+  team.for_chunks(x.n_columns(), columns_per_chunk(x), [&](long begin, long end, long) {
     for (int c = static_cast<int>(begin); c < end; ++c)
       for (int level = system.low[c]; level <= system.high[c]; ++level) {
         const float* v = system.at(e.data(), c, level);
@@ -61,9 +59,8 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
                       ThreadTeam& team, const Context& context) {
   const CellsOfColumns cells(x);
   const LayeredLevel level = make_layered_level(x, cells, metric, fixed, team);
-  if (level.system.size() == 0) return;
-  std::vector<float> e =
-      right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
+  if (level.system.is_empty()) return;
+  Floats e = right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
   const SolverReport solved = solve(level, e, {.reduction = options.reduction}, team, context);
   add_correction(x, level.system, e, unit, points, team);
   report.was_solved = true;
@@ -132,6 +129,27 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
   set_quality(check_elements(x, points, 0.0, team), report);
 }
 
+/// The element of a cell between layers k and k + 1, among those of its kind.
+void add_element(const Extrusion& x, int cell, int k, VolumeMesh& mesh) {
+  const int* columns = x.cell_columns.data() + x.cell_offset[cell];
+  const int n = x.cell_size(cell);
+  const auto set = [&](auto element) {
+    for (int i = 0; i < n; ++i) {
+      element[i] = static_cast<int>(x.node(columns[i], k));
+      element[n + i] = element[i] + 1;
+    }
+  };
+  if (n == 4) {
+    set(mesh.hexahedra.emplace_back().begin());
+  } else if (n == 3) {
+    set(mesh.prisms.emplace_back().begin());
+  } else {
+    mesh.polyhedron_nodes.resize(mesh.polyhedron_nodes.size() + 2 * n);
+    set(mesh.polyhedron_nodes.end() - 2 * n);
+    mesh.polyhedron_offset.push_back(static_cast<int>(mesh.polyhedron_nodes.size()));
+  }
+}
+
 }  // namespace
 
 PlacementReport place_interior(const Extrusion& extrusion, const std::vector<char>& fixed,
@@ -148,9 +166,9 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
     set_quality(check_elements(extrusion, points, 0.0, team), report);
     return report;
   }
-  const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric);
+  const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric, team);
   set_predictions(extrusion, motion, fixed, points, team);
-  const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
+  const Residuals residuals = find_residuals(extrusion, motion, fixed, points, team);
   report.largest_residual = largest(residuals);
   context.report(0.1, "Extending the boundary's residual");
   const double negligible = options.negligible_residual * size_of(points, fixed, team);
@@ -173,28 +191,9 @@ VolumeMesh build_volume_mesh(const Extrusion& extrusion, Points points) {
     throw InputError("place", "The mesh has more nodes than elements can number.");
   VolumeMesh mesh;
   mesh.points = std::move(points);
-  for (int c = 0; c < extrusion.n_cells(); ++c) {
-    const int* columns = extrusion.cell_columns.data() + extrusion.cell_offset[c];
-    const int low = extrusion.cell_k_low[c], high = extrusion.cell_k_high[c];
-    const auto node = [&](int i, int k) { return static_cast<int>(extrusion.node(columns[i], k)); };
-    const auto ring = [&]<std::size_t n>(std::vector<std::array<int, n>>& elements) {
-      for (int k = low; k < high; ++k) {
-        std::array<int, n>& element = elements.emplace_back();
-        for (std::size_t i = 0; i < n / 2; ++i) {
-          element[i] = node(static_cast<int>(i), k);
-          element[n / 2 + i] = element[i] + 1;
-        }
-      }
-    };
-    if (extrusion.cell_size(c) == 4)
-      ring(mesh.hexahedra);
-    else if (extrusion.cell_size(c) == 3)
-      ring(mesh.prisms);
-    else
-      throw InputError("place", "A cell of the base with " +
-                                    std::to_string(extrusion.cell_size(c)) +
-                                    " corners makes neither hexahedra nor prisms.");
-  }
+  for (int c = 0; c < extrusion.n_cells(); ++c)
+    for (int k = extrusion.cell_k_low[c]; k < extrusion.cell_k_high[c]; ++k)
+      add_element(extrusion, c, k, mesh);
   return mesh;
 }
 

@@ -73,11 +73,11 @@ void place_by_older_method(PlacementMethod method, const Extrusion& extrusion,
   switch (method) {
     case harmonic_residual:
     case layer_affine:
-      set_predictions(extrusion, make_layer_motion(extrusion, fixed, points, metric), fixed, points,
-                      team);
+      set_predictions(extrusion, make_layer_motion(extrusion, fixed, points, metric, team), fixed,
+                      points, team);
       return;
     case knupp_affine:
-      return place_knupp(extrusion, fixed, points);
+      return place_knupp(extrusion, fixed, points, team);
     case least_squares_f:
       return place_least_squares(extrusion, fixed, metric, Functional::f, points, team);
     case least_squares_g:

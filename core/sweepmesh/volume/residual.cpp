@@ -7,8 +7,6 @@
 namespace sweepmesh {
 namespace {
 
-constexpr long columns_per_chunk = 256;
-
 const ColumnResidual* find_in(const std::vector<ColumnResidual>& list, int block) {
   for (const ColumnResidual& r : list)
     if (r.block == block) return &r;
@@ -102,30 +100,31 @@ void set_mean_predictions(const Extrusion& x, const LayerMotion& motion,
 
 void set_predictions(const Extrusion& extrusion, const LayerMotion& motion,
                      const std::vector<char>& fixed, Points& points, ThreadTeam& team) {
-  team.for_chunks(extrusion.n_columns(), columns_per_chunk, [&](long begin, long end, long) {
-    for (int c = static_cast<int>(begin); c < end; ++c) {
-      const int first = motion.column_offset[c], n_blocks = motion.column_offset[c + 1] - first;
-      if (n_blocks != 1) {
-        set_mean_predictions(extrusion, motion, fixed, c, points);
-        continue;
-      }
-      const MotionBlock& block = motion.blocks[motion.column_blocks[first]];
-      const Point3 low = points.row(extrusion.node(c, block.k_low));
-      const Point3 high = points.row(extrusion.node(c, block.k_high));
-      for (int k = block.k_low + 1; k < block.k_high; ++k) {
-        const long node = extrusion.node(c, k);
-        if (fixed[node]) continue;
-        const MotionBlend& b = block.blend[k - block.k_low];
-        points.row(node) = b.low * low + b.high * high + b.shift;
-      }
-    }
-  });
+  team.for_chunks(
+      extrusion.n_columns(), columns_per_chunk(extrusion), [&](long begin, long end, long) {
+        for (int c = static_cast<int>(begin); c < end; ++c) {
+          const int first = motion.column_offset[c], n_blocks = motion.column_offset[c + 1] - first;
+          if (n_blocks != 1) {
+            set_mean_predictions(extrusion, motion, fixed, c, points);
+            continue;
+          }
+          const MotionBlock& block = motion.blocks[motion.column_blocks[first]];
+          const Point3 low = points.row(extrusion.node(c, block.k_low));
+          const Point3 high = points.row(extrusion.node(c, block.k_high));
+          for (int k = block.k_low + 1; k < block.k_high; ++k) {
+            const long node = extrusion.node(c, k);
+            if (fixed[node]) continue;
+            const MotionBlend& b = block.blend[k - block.k_low];
+            points.row(node) = b.low * low + b.high * high + b.shift;
+          }
+        }
+      });
 }
 
 Residuals find_residuals(const Extrusion& extrusion, const LayerMotion& motion,
-                         const std::vector<char>& fixed, const Points& points) {
+                         const std::vector<char>& fixed, const Points& points, ThreadTeam& team) {
   Residuals residuals(extrusion.n_columns());
-  for (int c = 0; c < extrusion.n_columns(); ++c) {
+  const auto add_column = [&](int c) {
     const int first = motion.column_offset[c], last = motion.column_offset[c + 1];
     for (int i = first; i < last; ++i) {
       const int b = motion.column_blocks[i];
@@ -143,7 +142,11 @@ Residuals find_residuals(const Extrusion& extrusion, const LayerMotion& motion,
         v = Point3(points.row(extrusion.node(c, k))) - v;
       }
     }
-  }
+  };
+  team.for_chunks(extrusion.n_columns(), columns_per_chunk(extrusion),
+                  [&](long begin, long end, long) {
+                    for (int c = static_cast<int>(begin); c < end; ++c) add_column(c);
+                  });
   return residuals;
 }
 
@@ -155,25 +158,28 @@ double largest(const Residuals& residuals) {
   return most;
 }
 
-std::vector<float> right_hand_side(const Extrusion& extrusion, const CellsOfColumns& cells,
-                                   const LayerMotion& motion, const BaseMetric& metric,
-                                   const Residuals& residuals, const LayeredSystem& system,
-                                   double scale, ThreadTeam& team) {
+Floats right_hand_side(const Extrusion& extrusion, const CellsOfColumns& cells,
+                       const LayerMotion& motion, const BaseMetric& metric,
+                       const Residuals& residuals, const LayeredSystem& system, double scale,
+                       ThreadTeam& team) {
   const CellForce force(extrusion, motion, metric, residuals, system, scale);
-  std::vector<float> right(system.size(), 0.0f);
-  team.for_chunks(extrusion.n_columns(), columns_per_chunk, [&](long begin, long end, long) {
-    for (int c = static_cast<int>(begin); c < end; ++c) {
-      if (system.low[c] > system.high[c]) continue;
-      for (int i = cells.offset[c]; i < cells.offset[c + 1]; ++i)
-        force.add(cells.cell[i], cells.corner[i], right.data() + system.offset[c]);
-      for (int t = 0; t < system.n_bands(); ++t) {  // nothing acts on the fixed nodes of the hull
-        const int low = std::max(system.low[c], system.band_begin[t]);
-        const int high = std::min(system.high[c] + 1, system.band_begin[t + 1]);
-        if (low < high && system.rows[t].diagonal[c] == 0.0f)
-          std::fill_n(system.at(right.data(), c, low), 3L * (high - low), 0.0f);
-      }
-    }
-  });
+  Floats right = system.make_vector();
+  team.for_chunks(
+      extrusion.n_columns(), columns_per_chunk(extrusion), [&](long begin, long end, long) {
+        for (int c = static_cast<int>(begin); c < end; ++c) {
+          if (system.low[c] > system.high[c]) continue;
+          std::fill(right.begin() + system.offset[c], right.begin() + system.offset[c + 1], 0.0f);
+          for (int i = cells.offset[c]; i < cells.offset[c + 1]; ++i)
+            force.add(cells.cell[i], cells.corner[i], right.data() + system.offset[c]);
+          for (int t = 0; t < system.n_bands();
+               ++t) {  // nothing acts on the fixed nodes of the hull
+            const int low = std::max(system.low[c], system.band_begin[t]);
+            const int high = std::min(system.high[c] + 1, system.band_begin[t + 1]);
+            if (low < high && system.rows[t].diagonal[c] == 0.0f)
+              std::fill_n(system.at(right.data(), c, low), 3L * (high - low), 0.0f);
+          }
+        }
+      });
   return right;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 
@@ -186,6 +187,20 @@ TEST(Assess, SolidsWithoutASweepAreRefusedWithAReason) {
     expect_refused(found, found.reasons.front().kind, {});
     EXPECT_NE(found.reasons.front().kind, ReasonKind::prescribed);
   }
+}
+
+TEST(Assess, SectionsThatHangTogetherAtAPointAreATopologicalReason) {
+  const Model model = test::notched_pyramid();
+  std::map<VertexId, std::set<FaceId>> faces_at;
+  for (const FaceId f : model.faces())
+    for (const Coedge& c : model.loops(f).front()) faces_at[c.start].insert(f);
+  const auto tip = std::ranges::find(faces_at, 4u, [](const auto& at) { return at.second.size(); });
+  ASSERT_NE(tip, faces_at.end());  // the only vertex of four faces
+  std::vector<std::string> named = {name_of(tip->first)};
+  for (const FaceId f : tip->second) named.push_back(name_of(f));
+  const Assessment found = assessed(model);
+  expect_refused(found, ReasonKind::topological, named);
+  EXPECT_EQ(found.reasons.front().entities, named);
 }
 
 TEST(Assess, WallThatRunsBackIsAGeometricReason) {

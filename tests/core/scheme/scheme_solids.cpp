@@ -14,6 +14,7 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepPrimAPI_MakeWedge.hxx>
 #include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GeomAPI_Interpolate.hxx>
@@ -161,6 +162,11 @@ Model slanted_block() {
       polygon({{0, 0, 0}, {40, 0, 0}, {40, 0, 20}, {25, 0, 35}, {0, 0, 35}});
   return to_model(
       BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline).Face(), gp_Vec(0, 30, 0)).Shape());
+}
+
+Model notched_pyramid() {
+  const TopoDS_Shape pyramid = BRepPrimAPI_MakeWedge(16, 36, 18, 16, 9, 16, 9).Shape();
+  return to_model(BRepAlgoAPI_Cut(pyramid, block({-1, 18, -1}, {12, 26, 19})).Shape());
 }
 
 Model open_box() {

@@ -29,6 +29,9 @@ Model dovetail();
 Model block_with_returning_hole();
 /// A block with one edge cut off: two of its faces have five corners.
 Model slanted_block();
+/// A pyramid over a rectangle, its tip over an edge of it, with a notch across its slanted side:
+/// two triangles on either side of that touch at the tip only.
+Model notched_pyramid();
 /// A box of which one face is missing.
 Model open_box();
 /// Columns of the given heights (> 0) on an n x n grid, one solid of the coplanar faces merged.

@@ -24,7 +24,8 @@ Placed pass(const Solid& solid, const TransitionOptions& options, int n_threads)
   Placed out;
   out.points = solid.input();
   const BaseMetric metric = make_base_metric(solid.extrusion, solid.fixed, out.points, team);
-  const LayerMotion motion = make_layer_motion(solid.extrusion, solid.fixed, out.points, metric);
+  const LayerMotion motion =
+      make_layer_motion(solid.extrusion, solid.fixed, out.points, metric, team);
   set_predictions(solid.extrusion, motion, solid.fixed, out.points, team);
   out.before = check_elements(solid.extrusion, out.points, 0.0, team);
   out.has_changed = choose_transitions(solid.extrusion, solid.fixed, metric, motion, options,

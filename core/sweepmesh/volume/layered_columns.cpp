@@ -1,0 +1,313 @@
+#include "sweepmesh/volume/layered_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sweepmesh/volume/layer_kernels.h"
+
+namespace sweepmesh {
+
+namespace {
+
+/// Calls f(class, first, last) for the layers first .. last - 1 of each class with both ends in
+/// `low` .. `high`, and for the layers that only touch it from below or above.
+template <class F>
+void for_layers(const LayeredSystem& s, int low, int high, F&& f) {
+  for (int t = 0; t < s.n_bands(); ++t) {
+    const int end = s.band_begin[t + 1];
+    if (end - 1 < low - 1) continue;
+    if (s.band_begin[t] > high) break;
+    const int first = std::max(low - 1, s.band_begin[t]), last = std::min(high + 1, end - 1);
+    if (first < last) f(s.layers[2 * t], first, last);
+    if (end - 1 <= high && t + 1 < s.n_bands()) f(s.layers[2 * t + 1], end - 1, end);
+  }
+}
+
+}  // namespace
+
+/// What a thread needs for the columns it works at.
+struct LayeredColumns::Scratch {
+  std::vector<const float*> streams;
+  Floats memory;
+  float *right, *spring, *work;  ///< for n_abreast columns
+
+  /// For columns of `length` floats.
+  void fit(long length) {
+    constexpr long n = kernels::n_abreast;
+    const long n_right = n * length + 1, n_spring = n * (length / 3), n_work = 4 * n_spring;
+    if (static_cast<long>(memory.size()) < n_right + n_spring + n_work)
+      memory.resize(n_right + n_spring + n_work);
+    right = memory.data();
+    spring = right + n_right;
+    work = spring + n_spring;
+    right[n * length] = 0.0f;
+  }
+  /// The neighbours' values from level `first` on.
+  const float* const* gather(const LayeredSystem& s, const BaseRows& rows, int begin, int end,
+                             const float* x, int first) {
+    if (static_cast<int>(streams.size()) < end - begin) streams.resize(end - begin);
+    const float** out = streams.data();
+    for (int e = begin; e < end; ++e) *out++ = s.at(x, rows.neighbour[e], first);
+    return streams.data();
+  }
+};
+
+LayeredColumns::LayeredColumns(const LayeredSystem& system, ThreadTeam& team)
+    : s_(system), team_(team) {
+  set_springs();
+  make_chunks();
+  find_whole();
+  factor();
+  find_radius();
+}
+
+void LayeredColumns::set_springs() {
+  const long n_layers = static_cast<long>(s_.spring.size()) / 3;
+  spring_.resize(n_layers);
+  for (Floats* v : {&up_, &down_, &up_beyond_, &down_beyond_}) v->assign(s_.share.size(), 0.0f);
+  int t = 0;
+  for (long k = 0; k < n_layers; ++k) {
+    spring_[k] = s_.spring[3 * k];
+    const bool is_last = k + 1 == s_.band_begin[t + 1];
+    if (is_last) ++t;
+    std::fill_n((is_last ? up_beyond_ : up_).begin() + 3 * k, 3, spring_[k]);
+    std::fill_n((is_last ? down_beyond_ : down_).begin() + 3 * (k + 1), 3, spring_[k]);
+  }
+}
+
+void LayeredColumns::make_chunks() {
+  constexpr long least = 1L << 12, most = 1L << 16;  // floats
+  const long grain = ThreadTeam::grain_of(size(), least, most);
+  chunk_.push_back(0);
+  for (int c = 0; c < s_.n_columns(); ++c)
+    if (s_.offset[c + 1] - s_.offset[chunk_.back()] >= grain) chunk_.push_back(c + 1);
+  if (chunk_.back() != s_.n_columns()) chunk_.push_back(s_.n_columns());
+}
+
+void LayeredColumns::find_whole() {
+  whole_band_.assign(s_.n_columns(), -1);
+  for_columns([&](int c) {
+    for (int t = 0; t < s_.n_bands(); ++t)
+      if (s_.band_begin[t] == s_.low[c] && s_.band_begin[t + 1] == s_.high[c] + 1)
+        whole_band_[c] = t;
+    return 0.0;
+  });
+}
+
+void LayeredColumns::factor() {
+  pivot_.resize(s_.size() / 3);
+  for_columns([&](int c) {
+    const int low = s_.low[c], high = s_.high[c];
+    thread_local std::vector<double> diagonal, across;
+    diagonal.assign(high - low + 1, 0.0);
+    across.assign(high - low + 2, 0.0);
+    for_free_bands(s_, c, [&](const BaseRows& rows, int first, int last) {
+      for (int k = first; k < last; ++k)
+        diagonal[k - low] = static_cast<double>(rows.diagonal[c]) * s_.share[3L * k];
+    });
+    for_layers(s_, low, high, [&](const LayerClass& l, int first, int last) {
+      for (int k = first; k < last; ++k) {
+        const double spring = spring_[k];
+        if (k >= low && k <= high) diagonal[k - low] += spring * l.lower[c];
+        if (k + 1 >= low && k + 1 <= high) diagonal[k + 1 - low] += spring * l.upper[c];
+        if (k >= low && k + 1 <= high) across[k + 1 - low] = spring * l.across[c];
+      }
+    });
+    double pivot = 0.0;
+    for (int i = high - low; i >= 0; --i) {
+      const double d = diagonal[i] - across[i + 1] * across[i + 1] * pivot;
+      pivot = diagonal[i] > 0.0 && d > 0.0 ? 1.0 / d : 0.0;
+      pivot_[s_.offset[c] / 3 + i] = static_cast<float>(pivot);
+    }
+    return 0.0;
+  });
+}
+
+void LayeredColumns::find_radius() {
+  std::vector<double> radius(chunk_.size(), radius_);
+  team_.for_chunks(static_cast<long>(chunk_.size()) - 1, 1, [&](long chunk, long, long) {
+    for (const BaseRows& rows : s_.rows)
+      for (int c = chunk_[chunk]; c < chunk_[chunk + 1]; ++c) {
+        if (rows.diagonal[c] <= 0.0f) continue;
+        double sum = 0.0;
+        for (int e = rows.offset[c]; e < rows.offset[c + 1]; ++e) sum += std::abs(rows.weight[e]);
+        radius[chunk] = std::max(radius[chunk], sum / rows.diagonal[c]);
+      }
+  });
+  radius_ = *std::max_element(radius.begin(), radius.end());
+}
+
+double LayeredColumns::multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
+                                      float* y) const {
+  const int t = whole_band_[column], low = s_.low[column], begin = s_.rows[t].offset[column];
+  const BaseRows& rows = s_.rows[t];
+  const auto mass = [&](int v, const std::vector<float> LayerClass::*which) {
+    if (v < 0 || (s_.layers[v].*which).empty()) return 0.0f;
+    return (s_.layers[v].*which)[column];
+  };
+  kernels::ColumnProduct c;
+  c.x = s_.at(x, column, low);
+  c.n_streams = rows.offset[column + 1] - begin;
+  c.streams = scratch.gather(s_, rows, begin, begin + c.n_streams, x, low);
+  c.weight = rows.weight.data() + begin;
+  c.share = s_.share.data() + 3L * low;
+  c.up = up_.data() + 3L * low;
+  c.down = down_.data() + 3L * low;
+  c.up_beyond = up_beyond_.data() + 3L * low;
+  c.down_beyond = down_beyond_.data() + 3L * low;
+  c.lower = mass(2 * t, &LayerClass::lower);
+  c.upper = mass(2 * t, &LayerClass::upper);
+  c.across = mass(2 * t, &LayerClass::across);
+  c.below = mass(2 * t - 1, &LayerClass::upper);
+  c.above = mass(2 * t + 1, &LayerClass::lower);
+  return kernels::multiply(c, b, y, length(column));
+}
+
+double LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, float* y) const {
+  const int low = s_.low[column], high = s_.high[column];
+  std::fill_n(y, length(column), 0.0f);
+  for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
+    const int e = rows.offset[column], n = rows.offset[column + 1] - e;
+    const float* const* streams = scratch.gather(s_, rows, e, e + n, x, first);
+    kernels::weighted_sum(y + 3L * (first - low), streams, rows.weight.data() + e, n,
+                          s_.share.data() + 3L * first, 3L * (last - first));
+  });
+  const float* own = s_.at(x, column, low);
+  const auto add = [&](int k, int other, float weight) {
+    for (int d = 0; d < 3; ++d) y[3L * (k - low) + d] += weight * own[3L * (other - low) + d];
+  };
+  for_layers(s_, low, high, [&](const LayerClass& l, int first, int last) {
+    for (int k = first; k < last; ++k) {
+      if (k >= low) add(k, k, spring_[k] * l.lower[column]);
+      if (k < high) add(k + 1, k + 1, spring_[k] * l.upper[column]);
+      if (k < low || k >= high) continue;
+      add(k, k + 1, -spring_[k] * l.across[column]);
+      add(k + 1, k, -spring_[k] * l.across[column]);
+    }
+  });
+  return kernels::dot(own, y, length(column));
+}
+
+double LayeredColumns::multiply(const Floats& x, Floats& y) const {
+  return for_chunks([&](int begin, int end) {
+    thread_local Scratch scratch;
+    double sum = 0.0;
+    for (int c = begin; c < end; ++c) {
+      if (length(c) == 0) continue;
+      float* out = y.data() + s_.offset[c];
+      sum += is_whole(c) ? multiply_whole(x.data(), c, nullptr, scratch, out)
+                         : multiply_any(x.data(), c, scratch, out);
+    }
+    return sum;
+  });
+}
+
+void LayeredColumns::residual(const Floats& b, const Floats& x, Floats& r) const {
+  for_chunks([&](int begin, int end) {
+    thread_local Scratch scratch;
+    for (int c = begin; c < end; ++c) {
+      if (length(c) == 0) continue;
+      const float* right = b.data() + s_.offset[c];
+      float* out = r.data() + s_.offset[c];
+      if (is_whole(c)) {
+        multiply_whole(x.data(), c, right, scratch, out);
+      } else {
+        multiply_any(x.data(), c, scratch, out);
+        kernels::combine(out, right, -1.0f, 1.0f, length(c));
+      }
+    }
+    return 0.0;
+  });
+}
+
+void LayeredColumns::right_of(const float* b, const float* y, int column, Scratch& scratch,
+                              float* out) const {
+  if (!y || !is_whole(column)) std::copy_n(b, length(column), out);
+  if (!y) return;
+  for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
+    const int begin = rows.offset[column] + 1, end = rows.offset[column + 1];  // but the diagonal
+    const float* const* streams = scratch.gather(s_, rows, begin, end, y, first);
+    const long from = 3L * (first - s_.low[column]);
+    kernels::subtract_weighted_sum(out + from, b + from, streams, rows.weight.data() + begin,
+                                   end - begin, s_.share.data() + 3L * first, 3L * (last - first));
+  });
+}
+
+void LayeredColumns::couplings_of(int column, float* out) const {
+  const int low = s_.low[column], high = s_.high[column];
+  for_layers(s_, low, high, [&](const LayerClass& l, int first, int last) {
+    for (int k = std::max(first, low); k < std::min(last, high); ++k)
+      out[k - low] = l.across[column] * spring_[k];
+  });
+}
+
+bool LayeredColumns::are_alike(int first, int n) const {
+  for (int c = first + 1; c < first + n; ++c)
+    if (s_.low[c] != s_.low[first] || s_.high[c] != s_.high[first]) return false;
+  return true;
+}
+
+void LayeredColumns::step_columns(const Floats& b, const Floats* y, const Mix& mix, int first,
+                                  int n, Scratch& scratch, Floats& result) const {
+  constexpr float one[kernels::n_abreast] = {1.0f, 1.0f, 1.0f, 1.0f};
+  const long each = length(first), at = s_.offset[first];
+  scratch.fit(each);
+  bool are_whole = true;
+  for (int i = 0; i < n; ++i) {
+    right_of(b.data() + at + i * each, y ? y->data() : nullptr, first + i, scratch,
+             scratch.right + i * each);
+    are_whole = are_whole && is_whole(first + i);
+  }
+  kernels::ColumnSystems systems = {scratch.right, pivot_.data() + at / 3, nullptr, 0, one,
+                                    each / 3};
+  if (are_whole && each > 3) {
+    systems.spring = spring_.data() + s_.low[first];
+    systems.across = s_.layers[2 * whole_band_[first]].across.data() + first;
+  } else {
+    for (int i = 0; i < n; ++i) couplings_of(first + i, scratch.spring + i * (each / 3));
+    systems.spring = scratch.spring;
+    systems.spring_stride = each / 3;
+  }
+  kernels::solve_columns(systems, n, mix.alpha, (y ? *y : b).data() + at, mix.beta, mix.gamma,
+                         result.data() + at, scratch.work);
+}
+
+double LayeredColumns::step(const Floats& b, const Floats* y, const Mix& mix, Floats& result,
+                            bool needs_dot) const {
+  return for_chunks([&](int begin, int end) {
+    thread_local Scratch scratch;
+    double sum = 0.0;
+    for (int c = begin, n = 1; c < end; c += n) {
+      n = c + kernels::n_abreast <= end && are_alike(c, kernels::n_abreast) ? kernels::n_abreast
+                                                                            : 1;
+      if (length(c) == 0) continue;
+      step_columns(b, y, mix, c, n, scratch, result);
+      const long at = s_.offset[c];
+      if (needs_dot) sum += kernels::dot(b.data() + at, result.data() + at, n * length(c));
+    }
+    return sum;
+  });
+}
+
+LayeredColumns::Chebyshev LayeredColumns::polynomial() const {
+  // For the interval [radius / 5, radius] (Saad, Iterative methods, 12.3.2).
+  const double upper = radius_, lower = radius_ / 5.0;
+  const double theta = 0.5 * (upper + lower), delta = 0.5 * (upper - lower), sigma = theta / delta;
+  const double rho = 1.0 / sigma, next = 1.0 / (2.0 * sigma - rho);
+  return {static_cast<float>(1.0 / theta), static_cast<float>(next * rho),
+          static_cast<float>(2.0 * next / delta)};
+}
+
+void LayeredColumns::smooth_from_zero(const Floats& b, Floats& x, Floats& work) const {
+  const Chebyshev p = polynomial();
+  step(b, nullptr, {0.0f, p.first, 0.0f}, work, false);
+  step(b, &work, {1.0f + p.again - p.second, p.second, 0.0f}, x, false);
+}
+
+double LayeredColumns::smooth(const Floats& b, Floats& x, Floats& work) const {
+  const Chebyshev p = polynomial();
+  step(b, &x, {1.0f - p.first, p.first, 0.0f}, work, false);
+  return step(b, &work, {1.0f + p.again - p.second, p.second, -p.again}, x, true);
+}
+
+}  // namespace sweepmesh

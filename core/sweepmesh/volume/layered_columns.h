@@ -1,0 +1,99 @@
+// The columns of a layered system, factored, and the sweeps over them that a V-cycle consists of.
+//
+// With D the couplings within columns and O those between them, A = D + O, a step of the smoother
+// is
+//     z = D^-1 (b - O y),   result = alpha y + beta z + gamma x,
+// so it never forms D y: D^-1 (b - A y) = z - y. Every sweep reads each vector once.
+#pragma once
+
+#include <vector>
+
+#include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/floats.h"
+#include "sweepmesh/volume/layered_system.h"
+
+namespace sweepmesh {
+
+/// Results do not depend on the number of threads. Vectors have the system's layout and are zero
+/// where a hull's nodes are not free. No two arguments of a call are the same vector.
+class LayeredColumns {
+ public:
+  LayeredColumns(const LayeredSystem& system, ThreadTeam& team);
+
+  long size() const { return s_.size(); }
+  const LayeredSystem& system() const { return s_; }
+  long length(int column) const { return s_.offset[column + 1] - s_.offset[column]; }
+  /// Whether a column's hull is one band.
+  bool is_whole(int column) const { return whole_band_[column] >= 0; }
+
+  /// Calls f(column) for all columns that hold something; sums what it returns in a fixed order.
+  template <class F>
+  double for_columns(F&& f) const {
+    return for_chunks([&](int begin, int end) {
+      double sum = 0.0;
+      for (int c = begin; c < end; ++c)
+        if (s_.high[c] >= s_.low[c]) sum += f(c);
+      return sum;
+    });
+  }
+
+  /// y = A x; returns x . y.
+  double multiply(const Floats& x, Floats& y) const;
+  /// r = b - A x.
+  void residual(const Floats& b, const Floats& x, Floats& r) const;
+  /// x = p(D^-1 A) D^-1 b for Chebyshev's polynomial p of degree one; `work` is spoiled.
+  void smooth_from_zero(const Floats& b, Floats& x, Floats& work) const;
+  /// x += p(D^-1 A) D^-1 (b - A x); returns b . x of the new x.
+  double smooth(const Floats& b, Floats& x, Floats& work) const;
+
+ private:
+  struct Scratch;
+  struct Mix {
+    float alpha, beta, gamma;
+  };
+  /// Correction 1 is first D^-1 r, correction 2 is again (correction 1) + second D^-1 r.
+  struct Chebyshev {
+    float first, again, second;
+  };
+  Chebyshev polynomial() const;
+
+  /// f(first column, end) for every chunk; the sum of what it returns.
+  template <class F>
+  double for_chunks(F&& f) const {
+    return team_.sum_chunks(static_cast<long>(chunk_.size()) - 1, 1, 0.0,
+                            [&](long chunk, long) { return f(chunk_[chunk], chunk_[chunk + 1]); });
+  }
+  void make_chunks();
+  void set_springs();
+  void find_whole();
+  void factor();
+  void find_radius();
+  /// One step of the smoother; `y` null stands for zero. Returns b . result if asked for.
+  double step(const Floats& b, const Floats* y, const Mix& mix, Floats& result,
+              bool needs_dot) const;
+  /// The same for columns first .. first + n - 1, which are one or all alike.
+  void step_columns(const Floats& b, const Floats* y, const Mix& mix, int first, int n,
+                    Scratch& scratch, Floats& result) const;
+  /// out = b - O y for one column; b if there is no y.
+  void right_of(const float* b, const float* y, int column, Scratch& scratch, float* out) const;
+  /// A column's y = A x, or b - A x if there is a b; returns x . y.
+  double multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
+                        float* y) const;
+  double multiply_any(const float* x, int column, Scratch& scratch, float* y) const;
+  /// Couplings of the layers inside a column's hull.
+  void couplings_of(int column, float* out) const;
+  /// Whether columns have the same hull.
+  bool are_alike(int first, int n) const;
+
+  const LayeredSystem& s_;
+  ThreadTeam& team_;
+  std::vector<int> chunk_;       ///< first column of every chunk, and the end
+  std::vector<int> whole_band_;  ///< per column: the band that is its hull, or -1
+  Floats spring_;                ///< per layer, once
+  /// Per level, three times: the springs of a column that is whole (kernels::ColumnProduct).
+  Floats up_, down_, up_beyond_, down_beyond_;
+  Floats pivot_;         ///< inverse pivots of the columns, one a node
+  double radius_ = 2.0;  ///< bound of the spectrum of D^-1 A
+};
+
+}  // namespace sweepmesh
