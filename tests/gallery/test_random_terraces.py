@@ -1,16 +1,17 @@
-"""Random terraced solids: how many are meshed, and that it matters little how they lie and how large they are.
+"""Random terraced solids: how many are meshed, and that it does not matter how they lie and how large they are.
 
-SWEEPMESH_RANDOM=100 meshes so many; `rate_of_terraces.py` prints a line for each.
+SWEEPMESH_RANDOM=100 meshes so many; `rate_of_terraces.py` prints a line for each, `rate_of_turned.py` those that differ.
 """
 
 import os
 
-from rate_of_terraces import attempt, table
+from rate_of_terraces import table
+from rate_of_turned import unlike
 
 COUNT = int(os.environ.get("SWEEPMESH_RANDOM", "20"))
 LEAST_RATE = 0.9
-MOST_UNLIKE = 0.05
-"""Of the solids: where a patch is poor, which of its candidates is best may still hang on rounding."""
+TIES = [116, 119, 135, 136, 147, 162, 255]
+"""Solids in which rounding errors once decided: ties, triangulations, a tolerance of the file."""
 
 
 def test_most_are_meshed_and_the_others_say_why():
@@ -24,15 +25,4 @@ def test_most_are_meshed_and_the_others_say_why():
 
 def test_turned_and_scaled_solids_are_meshed_alike():
     """The same counts of elements, nodes and layers, whether walls are upright, lean or twist."""
-    others = []
-    for seed in range(100, 100 + COUNT):
-        counts = {counts_of(attempt(seed, scale, check=False)) for scale in (1.0, 1e-3, 1e3)}
-        print(seed, counts)
-        if len(counts) > 1:
-            others.append(seed)
-    print(f"{COUNT - len(others)} of {COUNT} have the same counts however they lie")
-    assert len(others) <= MOST_UNLIKE * COUNT
-
-
-def counts_of(outcome):
-    return outcome.n_elements, outcome.n_nodes, outcome.n_layers
+    assert not unlike(sorted({*range(100, 96 + COUNT), *TIES}))

@@ -18,7 +18,7 @@ constexpr double coincidence_of_size = 1e-3;  ///< what CAD models leave apart i
 
 /// In element sizes. Well below the shortest curve, too: both of its ends must not become one.
 double coincidence(const Model& model, const Walls& walls, const ImprintOptions& options) {
-  constexpr double safety = 10.0, share_of_edge = 0.1;
+  constexpr double safety = 3.0, share_of_edge = 0.1;
   double out = coincidence_of_size;
   for (const EdgeId e : walls.edges)
     out = std::min(out, share_of_edge * model.length(e) / options.size);
