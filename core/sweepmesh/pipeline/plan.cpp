@@ -147,11 +147,17 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
     return plan;
   } catch (const Cancelled&) {
     throw;
-  } catch (const Error&) {
+  } catch (const Error& error) {
     RoundDivision division(model, picks, options);
     if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
       return *divided;
-    throw;
+    if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
+    if (auto divided = plan_of_divided(model, division, Strain::accepted, plan.size, context))
+      return *divided;
+    SweepPlan refused;
+    refused.size = plan.size;
+    refused.assessment = without_layout(error);
+    return refused;
   }
 }
 
