@@ -232,12 +232,6 @@ std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& cont
   return {};  // the solid stays what it is without being divided
 }
 
-std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
-                                            const SweepOptions& options, Strain strain,
-                                            Context& context) {
-  return RoundDivisions(model, picks, options, strain).next(context);
-}
-
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
   Assessment whole = assess(model, picks, context);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;

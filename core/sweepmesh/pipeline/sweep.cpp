@@ -176,6 +176,34 @@ bool names_parts(const std::string& warning) {
 /// A solid that was divided, and the mesh of its parts.
 struct DividedMesh {
   DividedSweep divided;
+  SweepResult part;
+  double least;  ///< scaled Jacobian
+};
+
+/// Empty where it cannot be meshed.
+std::optional<DividedMesh> mesh_parts(DividedSweep divided, const std::vector<double>& shares,
+                                      double size, StageClock& clock, Context& context) try {
+  SweepResult part;
+  part.assessment = divided.assessment;
+  part.size = size;
+  SchemeTrier trier(divided.parts.model, divided.options, clock, context, part);
+  if (!trier.at_some_size(shares)) return {};
+  return DividedMesh{std::move(divided), std::move(part), trier.least()};
+} catch (const Cancelled&) {
+  throw;
+} catch (const Error&) {
+  return {};
+}
+
+/// Meshes the solid divided along its rounds, where that can be swept. Where elements are poor, it
+/// is divided as its other schemes ask for. False: the assessment stays that of the whole solid.
+bool mesh_divided(const Model& model, RoundDivision& division, Strain strain, StageClock& clock,
+                  Context& context, SweepResult& result) {
+  if (!may_be_divided(result.assessment)) return false;
+  const auto next = [&] {
+    return clock.run("assess", [&] { return division.other(strain, context); });
+  };
+  auto divided = clock.run("assess", [&] { return division.to_sweep(strain, context); });
   if (!divided) return false;
   auto best = mesh_parts(std::move(*divided), kSizeShares, result.size, clock, context);
   if (!best) return false;
