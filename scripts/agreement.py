@@ -1,6 +1,6 @@
 """Prints how often verdict and mesher disagree: agreement.py [--solids 240] [--first SEED] [--family NAME] [--all]
 
-Over the gallery without picks, random terraced solids and random unions and cuts of primitives, each solid is assessed,
+Over the gallery without picks, random terraced solids, random unions and cuts of primitives and random machine parts, each solid is assessed,
 meshed where it is called sweepable, judged, and tried with picks where it is called unsweepable. tests/gallery/agreement.py
 says what the outcomes mean. The exit status is 1 where more than one solid in a hundred disagrees.
 """
@@ -15,7 +15,7 @@ sys.path[:0] = [str(ROOT / "Mod"), str(ROOT / "tests" / "gallery")]
 
 from agreement import FAILING, OUTCOMES, run_all  # noqa: E402
 
-FAMILIES = ("gallery", "terraced", "primitives")
+FAMILIES = ("gallery", "terraced", "primitives", "parts")
 MOST = 0.01
 """Share of solids that may disagree, each way."""
 

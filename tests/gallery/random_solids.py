@@ -1,6 +1,7 @@
 """Random solids as an engineer might draw them: the same seed, the same solid.
 
     shape = make("terraced", 7)      # a slab with bosses, pockets and holes, all upright
+    shape = make("parts", 7)         # plates and turned parts with drafts, cross holes, fillets and chamfers
     shape = make("primitives", 7)    # boxes, cylinders, cones, spheres, wedges and tori, fused and cut
 
 Most stand along the axes on a grid of half units, so faces touch, meet in one plane or just miss each other as they do in
@@ -145,4 +146,94 @@ def primitives(source):
     return unified(shape) if source.random() < 0.7 else shape
 
 
-FAMILIES = {"terraced": terraced, "primitives": primitives}
+# Machine parts.
+
+
+def with_rounded_edges(source, shape):
+    """Fillets or chamfers on some edges, where OpenCASCADE can make them."""
+    size = source.choice((0.5, 1.0, 2.0))
+    upright_only = source.random() < 0.5
+    edges = [edge for edge in shape.Edges if not upright_only or is_upright(edge)]
+    chosen = source.sample(edges, min(len(edges), source.randint(1, 4)))
+    try:
+        made = shape.makeFillet(size, chosen) if source.random() < 0.6 else shape.makeChamfer(size, chosen)
+        return single_solid(made) or shape
+    except (Part.OCCError, RuntimeError):
+        return shape
+
+
+def is_upright(edge):
+    """Straight and along z."""
+    return isinstance(edge.Curve, Part.Line) and abs(edge.tangentAt(edge.FirstParameter).z) > 0.999
+
+
+def drilled(source, shape):
+    """A hole along an axis, through or blind, somewhere in the bounding box."""
+    bounds = shape.BoundBox
+    centre = vec(
+        *(
+            source.uniform(low + 0.25 * (high - low), high - 0.25 * (high - low))
+            for low, high in ((bounds.XMin, bounds.XMax), (bounds.YMin, bounds.YMax), (bounds.ZMin, bounds.ZMax))
+        )
+    )
+    axis = source.choice(AXES)
+    start = centre if source.random() < 0.3 else centre - axis * 200
+    radius = source.choice((1.0, 1.5, 2.5)) * min(bounds.XLength, bounds.YLength, bounds.ZLength) / 12
+    return combined(shape, rod(radius, start, 400, axis), True)
+
+
+def turned_part(source):
+    """A stepped profile turned around z, by a full turn or less."""
+    inner, z, points = source.choice((0.0, 3.0, 5.0)), 0.0, []
+    for _ in range(source.randint(1, 4)):
+        outer, height = inner + source.choice((3, 5, 8, 12)), source.choice((3, 6, 10))
+        points += [(outer, z), (outer if source.random() < 0.7 else inner + 3, z + height)]
+        z += height
+    points = [(inner, 0.0), *points, (inner, z)]
+    wire = Part.makePolygon([vec(x, 0, height) for x, height in [*points, points[0]]])
+    angle = 360 if source.random() < 0.6 else source.choice((60, 90, 180, 270))
+    return Part.Face(wire).revolve(vec(0, 0, 0), vec(0, 0, 1), angle)
+
+
+def plate(source):
+    """A plate or an angle with a rib."""
+    shape = box(0, 40, 0, source.choice((20, 30)), 0, source.choice((5, 10)))
+    if source.random() < 0.5:
+        shape = combined(shape, box(0, source.choice((5, 8)), 0, 20, 0, source.choice((20, 30))), False)
+    return unified(shape)
+
+
+def drafted(source, shape):
+    """With a pad or a pocket on top whose walls lean."""
+    bounds = shape.BoundBox
+    x, y, top = bounds.Center.x + source.uniform(-4, 4), bounds.Center.y + source.uniform(-3, 3), bounds.ZMax
+    is_pocket = source.random() < 0.4
+    height = 0.6 * bounds.ZLength if is_pocket else source.choice((4, 8))
+    radius, share = 0.2 * min(bounds.XLength, bounds.YLength), source.choice((0.6, 0.8))
+    if source.random() < 0.5:
+        low, high = (Part.makeCircle(r, vec(x, y, 0)) for r in (radius, share * radius))
+        foot, head = Part.Wire([low]), Part.Wire([high])
+    else:
+        foot, head = (
+            polygon([(x + s * r, y + t * r) for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+            for r in (radius, share * radius)
+        )
+    foot.translate(vec(0, 0, top))
+    head.translate(vec(0, 0, top - height if is_pocket else top + height))
+    return combined(shape, Part.makeLoft([foot, head], True, True), is_pocket)
+
+
+def parts(source):
+    """A plate, an angle or a turned part with drafted pads, drilled holes, fillets and chamfers."""
+    shape = plate(source) if source.random() < 0.6 else turned_part(source)
+    shape = single_solid(shape) or shape
+    if source.random() < 0.4:
+        shape = drafted(source, shape)
+    for _ in range(source.choice((0, 0, 1, 1, 2))):
+        shape = drilled(source, shape)
+    if source.random() < 0.6:
+        shape = with_rounded_edges(source, shape)
+    return shape
+
+
+FAMILIES = {"terraced": terraced, "primitives": primitives, "parts": parts}

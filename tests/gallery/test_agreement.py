@@ -9,7 +9,7 @@ N_SOLIDS = 12
 """Of each family; the rates over more are printed by the command."""
 
 
-@pytest.mark.parametrize("family", ["terraced", "primitives"])
+@pytest.mark.parametrize("family", ["terraced", "primitives", "parts"])
 def test_verdict_and_mesher_agree(family):
     done = run_all([["random", family, seed] for seed in range(N_SOLIDS)])
     counts = collections.Counter(examined.outcome for examined in done)

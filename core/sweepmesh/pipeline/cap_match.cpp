@@ -67,10 +67,13 @@ bool is_alike(const CapMatch& a, const CapMatch& b) {
                             });
 }
 
-bool can_merging_help(const Error& error) {
+bool is_final(const Error& error) {
   const auto* imprint = dynamic_cast<const ImprintError*>(&error);
-  return !error.entities().empty() &&
-         (!imprint || imprint->failure() != ImprintFailure::unreachable);
+  return imprint && imprint->failure() == ImprintFailure::unreachable;
+}
+
+bool can_merging_help(const Error& error) {
+  return !error.entities().empty() && !is_final(error);
 }
 
 }  // namespace sweepmesh

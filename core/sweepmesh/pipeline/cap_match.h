@@ -48,8 +48,10 @@ bool is_one_to_one(const Scheme& scheme);
 /// where nothing is imprinted.
 std::vector<double> merge_fractions(const Model& model, const Scheme& scheme,
                                     const SweepOptions& options, double size);
-/// Whether another distance may do where one ended in `error`. What curves do that cannot be
-/// carried to another level does not depend on how near they are.
+/// Curves cannot be carried to another level: that depends neither on how near they are nor on the
+/// size.
+bool is_final(const Error& error);
+/// Whether another distance may do where one ended in `error`.
 bool can_merging_help(const Error& error);
 
 /// Whether the same curves divide R in the same way, or nothing is imprinted.

@@ -234,6 +234,7 @@ std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& cont
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
   Assessment whole = assess(model, picks, context);
+  if (is_free(picks)) refuse_without_layout(model, context, whole);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;
   const SweepOptions options;
   RoundDivision division(model, picks, options);

@@ -61,8 +61,8 @@ class RoundDivision {
 bool may_be_divided(const Assessment& whole);
 
 /// The verdict on a solid as it is or, where it cannot be swept so, divided; then the same with
-/// strained schemes. Where nothing was picked, schemes of the divided solid that cannot be laid out
-/// do not count. sweep() and plan_sweep() go the same way.
+/// strained schemes. Where nothing was picked, schemes that cannot be laid out do not count.
+/// sweep() and plan_sweep() go the same way.
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context);
 
 // From the numbers of the parts to those of the solid. A face or edge whose pieces differ has the

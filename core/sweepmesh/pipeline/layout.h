@@ -6,20 +6,40 @@
 // of the others (docs/assessment.md).
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "sweepmesh/base/context.h"
+#include "sweepmesh/base/errors.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/pipeline/sweep_options.h"
 #include "sweepmesh/scheme/scheme.h"
 
 namespace sweepmesh {
 
+struct LayoutFault {
+  Reason reason;
+  bool is_of_size = true;  ///< another element size may mend it
+};
+
 /// Why not, with the entities that the stage names; empty where imprint and intervals can be had at
 /// the wished size. Each distance of merging near curves is tried. Cost: that of imprint and
 /// intervals, of each distance where it fails. Throws Cancelled and the options' InputError.
-std::optional<Reason> layout_fault(const Model& model, const Scheme& scheme,
-                                   const SweepOptions& options, Context& context);
+std::optional<LayoutFault> layout_fault(const Model& model, const Scheme& scheme,
+                                        const SweepOptions& options, Context& context);
+
+/// The verdict where no scheme can be laid out, and what it says of an error of imprint or
+/// intervals.
+Assessment without_layout(Reason fault);
+Assessment without_layout(const Error& error);
+
+/// The sizes that sweep() tries, as shares of the wished one, in their order.
+inline constexpr std::array kSizeShares = {1.0, 0.85, 1.2, 0.7};
+
+/// Takes the schemes from a verdict on a solid without picks where none of those that sweep() would
+/// try can be laid out at any of its sizes; the first one's fault is the reason. Schemes from one
+/// face to one are not doubted. Cost: mostly one imprint at the default size.
+void refuse_without_layout(const Model& model, Context& context, Assessment& verdict);
 
 /// Takes the schemes from a verdict that cannot be laid out. Where none is left, the first one's
 /// fault is the reason. Those that sweep() would not try (tries()) are dropped.

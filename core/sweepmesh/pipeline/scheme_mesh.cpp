@@ -62,6 +62,13 @@ std::string merge_warning(double fraction) {
          std::to_string(std::lround(100 * fraction)) + " % of the element size.";
 }
 
+std::vector<std::string> caps_of(const Scheme& scheme) {
+  std::vector<std::string> out;
+  for (const FaceRole role : {FaceRole::source, FaceRole::target})
+    for (const FaceId f : scheme.faces_with(role)) out.push_back(name_of(f));
+  return out;
+}
+
 class SchemeMesher {
  public:
   SchemeMesher(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
@@ -127,7 +134,12 @@ class SchemeMesher {
 
 SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                        double size, StageClock& clock, Context& context) {
-  return SchemeMesher(model, scheme, options, size, clock, context).run();
+  try {
+    return SchemeMesher(model, scheme, options, size, clock, context).run();
+  } catch (const SolverError& e) {
+    if (!e.entities().empty()) throw;
+    throw SolverError(e.stage(), e.what(), caps_of(scheme));  // it knows of numbers only
+  }
 }
 
 BoundaryMesh mesh_matched(const Model& model, const Scheme& scheme, const CapMatch& match,

@@ -4,8 +4,11 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 
+#include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/pipeline/cad_angles.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
 #include "sweepmesh/pipeline/layout.h"
@@ -14,8 +17,8 @@
 namespace sweepmesh {
 namespace {
 
-constexpr double kPoor = 0.2;                                   ///< scaled Jacobian
-const std::vector<double> kSizeShares = {1.0, 0.85, 1.2, 0.7};  ///< of the wished size
+constexpr double kPoor = 0.2;  ///< scaled Jacobian
+constexpr auto kWishedSize = std::span(kSizeShares).first(1);
 
 std::string caps_of(const Scheme& scheme) {
   const auto listed = [&](FaceRole role) {
@@ -78,7 +81,7 @@ class SchemeTrier {
   /// As with_some_scheme, and where that fails with other sizes near the wished one: then
   /// nodes lie elsewhere, and narrow places get other numbers of cells. `shares` of the wished
   /// size, that first. The first failure counts. least() is then the least scaled Jacobian.
-  bool at_some_size(const std::vector<double>& shares = kSizeShares) {
+  bool at_some_size(std::span<const double> shares = kSizeShares) {
     const SweepResult begun = result_;
     std::optional<Assessment> refused;
     std::exception_ptr first_error;
@@ -86,6 +89,7 @@ class SchemeTrier {
         result_.assessment = begun.assessment;
         result_.warnings = begun.warnings;
         result_.size = share * begun.size;
+        if (!has_hope()) break;
         if (share < 1.0 && is_explosion(model_, options_, result_.size)) continue;
         if (with_some_scheme()) {
           if (share != 1.0)
@@ -125,6 +129,7 @@ class SchemeTrier {
     std::optional<InvalidMeshError> fold;
     std::optional<std::size_t> best;
     for (const std::size_t s : tries(schemes.size())) try {
+        if (hopeless_.contains(s)) continue;
         SchemeMesh made = mesh_scheme(model_, schemes[s], options_, result_.size, clock_, context_);
         const double least = least_of(made.mesh, context_);
         if (best && !is_clearly_better(least, least_)) continue;
@@ -137,6 +142,7 @@ class SchemeTrier {
       } catch (const Error& error) {
         if (best) continue;
         if (!first_error) first_error = std::current_exception();
+        if (is_final(error)) hopeless_.insert(s);
         const auto* invalid = dynamic_cast<const InvalidMeshError*>(&error);
         if (s == 0 && invalid && invalid->stage() == "place") fold = *invalid;
         result_.warnings.push_back("The sweep from " + caps_of(schemes[s]) +
@@ -153,6 +159,12 @@ class SchemeTrier {
     return false;
   }
 
+  /// Whether a scheme is left that another size may help.
+  bool has_hope() const {
+    return std::ranges::any_of(tries(result_.assessment.schemes.size()),
+                               [&](std::size_t s) { return !hopeless_.contains(s); });
+  }
+
   void take(SchemeMesh made) {
     result_.intervals = std::move(made.intervals);
     result_.mesh = std::move(made.mesh);
@@ -165,7 +177,8 @@ class SchemeTrier {
   Context& context_;
   SweepResult& result_;
   SchemeMesh made_;
-  double least_ = 0.0;  ///< scaled Jacobian of made_
+  double least_ = 0.0;              ///< scaled Jacobian of made_
+  std::set<std::size_t> hopeless_;  ///< schemes that failed whatever the size (is_final)
 };
 
 /// Warnings of schemes that failed have the numbers of the divided solid, which nobody knows.
@@ -181,7 +194,7 @@ struct DividedMesh {
 };
 
 /// Empty where it cannot be meshed.
-std::optional<DividedMesh> mesh_parts(DividedSweep divided, const std::vector<double>& shares,
+std::optional<DividedMesh> mesh_parts(DividedSweep divided, std::span<const double> shares,
                                       double size, StageClock& clock, Context& context) try {
   SweepResult part;
   part.assessment = divided.assessment;
@@ -200,15 +213,15 @@ std::optional<DividedMesh> mesh_parts(DividedSweep divided, const std::vector<do
 bool mesh_divided(const Model& model, RoundDivision& division, Strain strain, StageClock& clock,
                   Context& context, SweepResult& result) {
   if (!may_be_divided(result.assessment)) return false;
+  auto divided = clock.run("assess", [&] { return division.to_sweep(strain, context); });
   const auto next = [&] {
     return clock.run("assess", [&] { return division.other(strain, context); });
   };
-  auto divided = clock.run("assess", [&] { return division.to_sweep(strain, context); });
   if (!divided) return false;
   auto best = mesh_parts(std::move(*divided), kSizeShares, result.size, clock, context);
   if (!best) return false;
   while (is_worth_another_try(best->least, best->part.mesh) && (divided = next())) {
-    auto other = mesh_parts(std::move(*divided), {1.0}, result.size, clock, context);
+    auto other = mesh_parts(std::move(*divided), kWishedSize, result.size, clock, context);
     if (other && is_clearly_better(other->least, best->least)) best = std::move(other);
   }
   const DividedModel& parts = best->divided.parts;
@@ -233,7 +246,8 @@ bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& 
   });
   if (!strained.assessment.is_sweepable()) return false;
   try {
-    if (!SchemeTrier(model, options, clock, context, strained).at_some_size({1.0})) return false;
+    if (!SchemeTrier(model, options, clock, context, strained).at_some_size(kWishedSize))
+      return false;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
@@ -260,10 +274,13 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
     return SchemeTrier(model, options, clock, context, result).at_some_size();
   } catch (const Cancelled&) {
     throw;
-  } catch (const Error&) {
+  } catch (const Error& error) {
     result.warnings.clear();
     if (divided(Strain::refused)) return true;
-    throw;
+    if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
+    if (divided(Strain::accepted)) return true;
+    result.assessment = without_layout(error);
+    return false;
   }
 }
 

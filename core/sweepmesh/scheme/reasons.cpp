@@ -203,7 +203,7 @@ Reason angle_reason(const Network& network, const Division& division) {
           joined(faces_with(network, division.choices, kTargetStates)) + " to " +
           joined(faces_with(network, division.choices, kSourceStates)) +
           " only with layers forced over angles that are too far from what the sweep needs, at " +
-          joined(texts) + ". Pick these sources and targets to try, or cut the solid there.",
+          joined(texts) + ". Cut the solid there.",
       entities};
 }
 

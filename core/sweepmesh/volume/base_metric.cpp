@@ -44,7 +44,8 @@ struct Direction {
   /// Of angles in 0 .. full turn, with equal factors.
   bool is_less_than(const Direction& o) const {
     if ((sine >= 0.0) != (o.sine >= 0.0)) return sine >= 0.0;
-    return sine >= 0.0 ? cosine > o.cosine : cosine < o.cosine;
+    const double side = sine >= 0.0 ? 1.0 : -1.0;
+    return side * cosine > side * o.cosine;
   }
 };
 
@@ -68,15 +69,17 @@ void add_quad(const PolygonMatrix& m, const Point3* p, double factor) {
   const Four sine = (a * a + b * b + c * c).sqrt();
   const Four cosine = -(in[0] * out[0] + in[1] * out[1] + in[2] * out[2]);
   const auto angle = [&](int i) { return Direction{sine[i], cosine[i]}; };
-  const int tip = (angle(0) + angle(2)).is_less_than(angle(1) + angle(3)) ? 0 : 1;
-  for (const int i : {tip, tip + 2}) {  // the triangle of corner i and its neighbours
-    const int last = (i + 3) % 4, next = (i + 1) % 4;
+  // Which it is for a square, rounding says: no branch that is foreseen half of the times.
+  const int tip = 1 - static_cast<int>((angle(0) + angle(2)).is_less_than(angle(1) + angle(3)));
+  constexpr int pair[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
+  for (int half = 0; half < 2; ++half) {  // the triangle of corner i and its neighbours
+    const int i = tip + 2 * half, last = (i + 3) % 4, next = (i + 1) % 4;
     for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * sine[i] / 6.0;
     if (!(sine[i] > 0.0)) continue;
     const double f = 0.5 * factor / sine[i];
-    m.weight(last, next) += f * cosine[i];
-    m.weight(last, i) += f * (length[i] - cosine[i]);
-    m.weight(i, next) += f * (length[last] - cosine[i]);
+    m.pair_weight[pair[last][next]] += f * cosine[i];
+    m.pair_weight[pair[last][i]] += f * (length[i] - cosine[i]);
+    m.pair_weight[pair[i][next]] += f * (length[last] - cosine[i]);
   }
 }
 
@@ -96,6 +99,8 @@ void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metri
   const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
                            &metric.corner_mass[x.cell_offset[c]]};
   p.resize(m.n);
+  std::fill_n(m.pair_weight, m.n * (m.n - 1) / 2, 0.0);
+  std::fill_n(m.corner_mass, m.n, 0.0);
   for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
     for (int i = 0; i < m.n; ++i)
       p[i] = points.row(x.node(x.cell_columns[x.cell_offset[c] + i], k));
@@ -111,8 +116,8 @@ void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, Thr
     const long n = x.cell_size(c);
     metric.pair_offset.push_back(metric.pair_offset.back() + n * (n - 1) / 2);
   }
-  metric.pair_weight.assign(metric.pair_offset.back(), 0.0);
-  metric.corner_mass.assign(x.cell_columns.size(), 0.0);
+  metric.pair_weight.resize(metric.pair_offset.back());
+  metric.corner_mass.resize(x.cell_columns.size());
   team.for_chunks(x.n_cells(), grain_of(x.n_cells()), [&](long begin, long end, long) {
     for (int c = static_cast<int>(begin); c < end; ++c) add_cell(x, points, c, metric);
   });

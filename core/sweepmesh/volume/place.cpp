@@ -168,7 +168,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   }
   const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric, team);
   set_predictions(extrusion, motion, fixed, points, team);
-  const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
+  const Residuals residuals = find_residuals(extrusion, motion, fixed, points, team);
   report.largest_residual = largest(residuals);
   context.report(0.1, "Extending the boundary's residual");
   const double negligible = options.negligible_residual * size_of(points, fixed, team);
