@@ -92,6 +92,8 @@ void bind_sweep(py::module_& module) {
           py::return_value_policy::reference_internal)
       .def_property_readonly("hexahedra", property(8, &VolumeMesh::hexahedra))
       .def_property_readonly("prisms", property(6, &VolumeMesh::prisms))
+      .def_property_readonly("polyhedron_offset", property(1, &VolumeMesh::polyhedron_offset))
+      .def_property_readonly("polyhedron_nodes", property(1, &VolumeMesh::polyhedron_nodes))
       .def_property_readonly("hexahedron_mid_nodes",
                              property(12, &VolumeMesh::hexahedron_mid_nodes))
       .def_property_readonly("prism_mid_nodes", property(9, &VolumeMesh::prism_mid_nodes))

@@ -6,20 +6,21 @@ import pathlib
 import tempfile
 
 from sweepmesh.engine.errors import input_error
-from sweepmesh.engine.writers import inp, vtu
+from sweepmesh.engine.writers import foam, inp, vtu
 from sweepmesh.freecad import import_freecad
 
 
 def write(result, path, document_object=None, options=None):
-    """Writes a Result to `path` (.vtu, .inp, .unv, .med or .FCStd).
+    """Writes a Result to `path` (.vtu, .inp, .foam, .unv, .med or .FCStd).
 
-    .vtu and .inp need nothing else, the others go through FreeCAD. An .FCStd file becomes the document of
+    .vtu, .inp and .foam need nothing else, the others go through FreeCAD. A .foam file is the empty one by which
+    ParaView knows the folder of an OpenFOAM case; the mesh is in constant/polyMesh beside it. An .FCStd file becomes the document of
     `document_object` (the object with the meshed shape) with a mesh object made from `options` added, or
     a document with the mesh alone where none is given. The file appears whole or not at all. Raises
     InputError for another suffix or a file that cannot be written.
     """
     path = pathlib.Path(path)
-    check_path(path)
+    check_path(path, has_polyhedra=result.n_polyhedra > 0, order=result.order)
     try:
         with replacing(path) as temporary:
             _WRITERS[path.suffix.lower()](temporary, result, document_object, options)
@@ -27,12 +28,20 @@ def write(result, path, document_object=None, options=None):
         raise input_error(f"{path} cannot be written: {error.strerror or error}.", "write") from error
 
 
-def check_path(path):
+def check_path(path, has_polyhedra=False, order=1):
     """Raises InputError unless `path` has a suffix that can be written and lies in a writable folder."""
     path = pathlib.Path(path)
     if path.suffix.lower() not in _WRITERS:
         known = ", ".join(FORMATS)
         raise input_error(f"{path} has no suffix of a known format ({known}).", "write")
+    if has_polyhedra and path.suffix.lower() not in POLYHEDRAL_FORMATS:
+        raise input_error(
+            f"{path} cannot be written: {path.suffix} files hold no polyhedra. Write"
+            f" {' or '.join(sorted(POLYHEDRAL_FORMATS, reverse=True))}, or mesh with hexahedra or prisms.",
+            "write",
+        )
+    if order == 2 and path.suffix.lower() == ".foam":
+        raise input_error(f"{path} cannot be written: OpenFOAM's meshes have no mid-side nodes; use order 1.", "write")
     check_folder(path)
 
 
@@ -78,6 +87,18 @@ def _write_inp(path, result, _object, _options):
     inp.write_result(path, result)
 
 
+def _write_foam(path, result, _object, _options):
+    """Makes the marker `path`, which takes its place afterwards, and puts the mesh where it is to be."""
+    path.touch()
+    new, place = path.parent / "polyMesh", path.parent.parent / "constant" / "polyMesh"
+    new.mkdir()
+    foam.write_result(new, result)
+    place.parent.mkdir(exist_ok=True)
+    if place.exists():
+        os.replace(place, path.parent / "old")
+    os.replace(new, place)
+
+
 def _write_freecad(path, result, _object, _options):
     _femmesh(result).write(str(path))
 
@@ -104,11 +125,14 @@ def _femmesh(result):
 _WRITERS = {
     ".vtu": _write_vtu,
     ".inp": _write_inp,
+    ".foam": _write_foam,
     ".unv": _write_freecad,
     ".med": _write_freecad,
     ".fcstd": _write_document,
 }
-FORMATS = [".vtu", ".inp", ".unv", ".med", ".FCStd"]
+FORMATS = [".vtu", ".inp", ".foam", ".unv", ".med", ".FCStd"]
 """Suffixes that `write` knows."""
-OWN_FORMATS = {".vtu", ".inp"}
+OWN_FORMATS = {".vtu", ".inp", ".foam"}
 """Those that need no FreeCAD."""
+POLYHEDRAL_FORMATS = {".vtu", ".foam"}
+"""Those that hold polyhedra."""

@@ -14,11 +14,7 @@
 #include <string>
 
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/model/model.h"
-#include "sweepmesh/pipeline/boundary.h"
-#include "sweepmesh/pipeline/imprinted_boundary.h"
 #include "sweepmesh/pipeline/scheme_mesh.h"
 #include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/assess.h"
@@ -42,20 +38,12 @@ Picks read_picks(const Model& model, int argc, char** argv) {
 Assembly assemble_boundary(const Model& model, const Picks& picks, double size, Context& context) {
   const Assessment assessment = assess(model, picks, context);
   if (!assessment.is_sweepable()) throw InputError("assess", assessment.reasons.front().text);
-  IntervalOptions intervals;
-  intervals.size = size;
   const Scheme& scheme = assessment.schemes.front();
-  const auto mesh = [&] {
-    if (is_one_to_one(scheme)) {
-      const Intervals counts = assign_intervals(model, scheme, intervals, context);
-      return mesh_boundary(model, scheme, counts, intervals, CellKind::quad, context);
-    }
-    const Imprint imprint = imprint_caps(model, scheme, {.size = size}, context);
-    const ImprintCounts counts = count_imprint(model, scheme, imprint, intervals, context);
-    return mesh_imprinted_boundary(model, scheme, imprint, counts, intervals, CellKind::quad,
-                                   context);
-  };
-  const BoundaryMesh boundary = mesh();
+  const SweepOptions options{.size = size};
+  const auto [match, counts] = lay_out(model, scheme, options, size, context);
+  const BoundaryMesh boundary =
+      mesh_matched(model, scheme, match, counts, interval_options(model, options, size),
+                   CellKind::quad, context);
   return assemble(boundary.surface, boundary.columns, boundary.runs);
 }
 

@@ -31,6 +31,24 @@ def test_options_reach_the_core():
     assert (core.size, core.layers, core.element.name, core.order, core.max_elements) == (2.5, 4, "prism", 2, 77)
 
 
+def test_polyhedra_are_rings_in_compressed_rows():
+    model = Model.from_brep(Part.makeCylinder(10, 12).exportBrepToString(), 0)
+    result = sweepmesh.mesh(model, Options(size=3, element="polyhedron"))
+    expect_valid_sweep(result, model, [0])
+    assert result.n_elements == len(result.hexahedra) + len(result.prisms) + result.n_polyhedra
+    sizes = numpy.diff(result.polyhedron_offsets)
+    assert sizes.min() >= 10 and (sizes % 2 == 0).all() and sizes.sum() == len(result.polyhedron_nodes)
+    seen = numpy.concatenate([its for its, _ in result.polyhedra_by_corners()])
+    assert sorted(seen) == list(range(result.n_polyhedra))
+    for its, nodes in result.polyhedra_by_corners():
+        low, high = numpy.split(result.points[nodes], 2, axis=1)
+        heights = (high - low) @ (0, 0, 1)
+        area = numpy.cross(low[:, 1:-1] - low[:, :1], low[:, 2:] - low[:, :1]).sum(axis=1) @ (0, 0, 0.5)
+        assert (heights * area[:, None] > 0).all(), "the first ring is not counterclockwise seen from the second"
+    with pytest.raises(InputError, match="no second order"):
+        sweepmesh.mesh(model, Options(element="polyhedron", order=2))
+
+
 def test_an_assessment_names_roles_and_schemes():
     found = sweepmesh.assess(brick())
     assert found.verdict == "sweepable" and found.is_sweepable and not found.reasons

@@ -114,11 +114,20 @@ def test_a_size_far_above_the_solid_gives_one_element_or_a_sentence(sweepmesh, s
         assert re.search(r"hexa +1\n", done.stdout)
 
 
-def test_what_is_not_served_yet_says_so(sweepmesh, shapes, tmp_path):
-    for options in (["--element", "prism"], ["--element", "polyhedron"], ["--order", "2"]):
-        done = sweepmesh(shapes / "brick.step", *options, "--size", 5)
-        if done.returncode:
-            assert_one_sentence(done, tmp_path)
+@pytest.mark.parametrize(
+    "options, word",
+    [
+        (["--element", "polyhedron", "--order", "2"], "no second order"),
+        (["--element", "polyhedron", "--out", "brick.inp"], ".inp files hold no polyhedra. Write .vtu or .foam"),
+        (["--element", "polyhedron", "--out", "brick.FCStd"], "no polyhedra"),
+        (["--element", "polyhedron", "--out", "brick.vtu", "--out", "brick.unv"], "no polyhedra"),
+        (["--order", "2", "--out", "brick.foam"], "no mid-side nodes"),
+    ],
+)
+def test_what_elements_do_not_go_with_is_told_before_meshing(sweepmesh, shapes, tmp_path, options, word):
+    done = sweepmesh(shapes / "brick.step", *options, "--size", 5)
+    assert_one_sentence(done, tmp_path)
+    assert word in done.stderr
 
 
 def test_no_arguments_are_one_sentence(sweepmesh, tmp_path):

@@ -78,6 +78,21 @@ def test_layers_are_taken_over(sweepmesh, shapes, tmp_path):
     assert json.loads((tmp_path / "report.json").read_text())["counts"]["hexa"] == 12 * 8 * 9
 
 
+def test_polyhedra_are_counted_and_written(sweepmesh, shapes, tmp_path):
+    done = sweepmesh(
+        *(shapes / "brick.step", "--size", 5, "--element", "polyhedron", "--source", "Face6"),
+        *("--out", "brick.vtu", "--out", "brick.foam", "--report", "report.json"),
+    )
+    assert done.returncode == 0 and done.stderr == ""
+    counts = json.loads((tmp_path / "report.json").read_text())["counts"]
+    assert counts["polyhedron"] > 0 and counts["polyhedron"] % 5 == 0
+    assert re.search(rf"polyhedron +{counts['polyhedron']}\n", done.stdout)
+    n_cells = counts["hexa"] + counts["prism"] + counts["polyhedron"]
+    assert f'NumberOfCells="{n_cells}"'.encode() in (tmp_path / "brick.vtu").read_bytes()
+    owner = (tmp_path / "constant" / "polyMesh" / "owner").read_text()
+    assert f"nCells: {n_cells} " in owner and (tmp_path / "brick.foam").exists()
+
+
 def test_assess_writes_no_mesh(sweepmesh, shapes, tmp_path):
     done = sweepmesh(shapes / "brick.step", "--assess", "--out", "brick.vtu")
     assert done.returncode == 0 and "sweepable" in done.stdout

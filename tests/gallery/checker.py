@@ -40,10 +40,27 @@ def expect_valid_sweep(result, model, genus=None):
     expect_volume(result, model, sum(solid.volume for solid in solids))
 
 
+def over_polygon(n):
+    """Faces and neighbours of corners, as above, of a prism over n corners."""
+    sides = [(i, (i + 1) % n, n + (i + 1) % n, n + i) for i in range(n)]
+    low = [((i + 1) % n, (i - 1) % n, n + i) for i in range(n)]
+    high = [(n + (i - 1) % n, n + (i + 1) % n, i) for i in range(n)]
+    return [tuple(range(n - 1, -1, -1)), tuple(range(n, 2 * n)), *sides], low + high
+
+
+def kinds(result):
+    """[(corners, faces, neighbours of corners)] of the kinds of elements that there are."""
+    simple = [(result.hexahedra[:, :8], HEX_FACES, HEX_CORNERS), (result.prisms[:, :6], PRISM_FACES, PRISM_CORNERS)]
+    offsets, sizes = result.polyhedron_offsets, numpy.diff(result.polyhedron_offsets)
+    for size in numpy.unique(sizes):
+        nodes = result.polyhedron_nodes[offsets[:-1][sizes == size][:, None] + numpy.arange(size)]
+        simple.append((nodes, *over_polygon(size // 2)))
+    return [kind for kind in simple if len(kind[0])]
+
+
 def cells(result):
     """[(corners, faces)] of the kinds of elements that there are."""
-    kinds = [(result.hexahedra[:, :8], HEX_FACES), (result.prisms[:, :6], PRISM_FACES)]
-    return [(nodes, faces) for nodes, faces in kinds if len(nodes)]
+    return [(nodes, faces) for nodes, faces, _ in kinds(result)]
 
 
 def is_second_order(result):
@@ -52,21 +69,23 @@ def is_second_order(result):
 
 
 def element_faces(corners):
-    """All faces of all elements as an (n, 4) array; triangles have -1 in the last column."""
+    """All faces of all elements as an array of four columns or more; those with fewer corners have -1 behind them."""
     rows = []
+    width = max(4, *(len(face) for _, faces in corners for face in faces))
     for nodes, faces in corners:
         for face in faces:
             columns = nodes[:, list(face)]
-            pad = numpy.full((len(nodes), 4 - len(face)), -1, columns.dtype)
+            pad = numpy.full((len(nodes), width - len(face)), -1, columns.dtype)
             rows.append(numpy.hstack([columns, pad]))
     return numpy.vstack(rows)
 
 
 def boundary_polygons(result):
-    """The corners of the boundary as an (n, 4) array; triangles have -1 in the last column."""
+    """The corners of the boundary as an array of four columns or more, those with fewer corners with -1 behind them."""
     starts, sizes = result.boundary_offsets[:-1], result.boundary_sizes()
-    polygons = numpy.full((len(sizes), 4), -1)
-    for column in range(4):
+    width = max(4, *numpy.diff(result.polyhedron_offsets) // 2, 0)  # as in `element_faces`
+    polygons = numpy.full((len(sizes), width), -1)
+    for column in range(polygons.shape[1]):
         has = sizes > column
         polygons[has, column] = result.boundary_nodes[starts[has] + column]
     return polygons
@@ -75,9 +94,9 @@ def boundary_polygons(result):
 def rolled(polygons):
     """The same polygons from their lowest node on, so that equal cycles are equal rows."""
     polygons = polygons.copy()
-    for _ in range(3):
-        sizes = (polygons >= 0).sum(axis=1)
-        for size in (3, 4):
+    sizes = (polygons >= 0).sum(axis=1)
+    for size in numpy.unique(sizes):
+        for _ in range(size - 1):
             wrong = (sizes == size) & (polygons[:, 0] != polygons[:, :size].min(axis=1))
             polygons[wrong, :size] = numpy.roll(polygons[wrong, :size], -1, axis=1)
     return polygons
@@ -95,7 +114,8 @@ def expect_conforming(result, corners, has_contacts=False):
     polygons = boundary_polygons(result)
     given = rolled(polygons[is_outer(polygons, corners)] if has_contacts else polygons)
     assert sorted(map(tuple, outer)) == sorted(map(tuple, given)), "the boundary is not that of the elements"
-    used = numpy.unique(numpy.concatenate([result.hexahedra.ravel(), result.prisms.ravel()]))
+    used = [result.hexahedra.ravel(), result.prisms.ravel(), result.polyhedron_nodes]
+    used = numpy.unique(numpy.concatenate(used))
     assert len(used) == len(result.points) and used[-1] == len(result.points) - 1, "nodes without an element"
     on_boundary = numpy.zeros(len(result.points), bool)
     on_boundary[result.boundary_nodes] = True
@@ -127,14 +147,13 @@ def corner_jacobians(points, nodes, corners):
 def expect_positive(result):
     """Every corner of every element has a positive Jacobian, and the quality report agrees."""
     worst = []
-    for nodes, corners in ((result.hexahedra[:, :8], HEX_CORNERS), (result.prisms[:, :6], PRISM_CORNERS)):
-        if len(nodes):
-            worst.append(corner_jacobians(result.points, nodes, corners).min(axis=1))
+    for nodes, _, corners in kinds(result):
+        worst.append(corner_jacobians(result.points, nodes, corners).min(axis=1))
     worst = numpy.concatenate(worst)
     assert worst.min() > 0, f"{(worst <= 0).sum()} of {len(worst)} elements are inverted"
     assert result.quality["n_inverted"] == 0
     assert sum(result.quality["histogram"]) == len(worst)
-    if not len(result.prisms):  # prisms are scaled differently
+    if len(worst) == len(result.hexahedra):  # others are scaled differently
         assert result.quality["min_scaled_jacobian"] <= worst.min() + 1e-9
 
 
@@ -142,9 +161,8 @@ def expect_nodes_apart(result, corners):
     """No edge may have shrunk to (nearly) nothing, which no scaled Jacobian shows."""
     faces = element_faces(corners)
     lengths = []
-    for i in range(4):
-        a, b = faces[:, i], faces[:, (i + 1) % 4]
-        is_edge = (a >= 0) & (b >= 0)
+    for a, b in zip(faces.T, following(faces).T):
+        is_edge = a >= 0
         lengths.append(numpy.linalg.norm(result.points[a[is_edge]] - result.points[b[is_edge]], axis=1))
     lengths = numpy.concatenate(lengths)
     assert lengths.min() > SHORTEST_EDGE * numpy.median(lengths), f"an edge of length {lengths.min()}"
@@ -170,12 +188,18 @@ def expect_counts(result):
         assert result.n_elements == n_source * result.n_layers
 
 
+def following(polygons):
+    """The next corner behind each one, around polygons with -1 for what they lack."""
+    out = numpy.roll(polygons, -1, axis=1)
+    last = (polygons >= 0).sum(axis=1) - 1
+    rows = numpy.arange(len(polygons))
+    out[rows, last] = polygons[:, 0]
+    return out
+
+
 def n_unique_edges(polygons):
-    """The number of edges of polygons with -1 for a missing fourth node; and that of directed ones."""
-    following = numpy.roll(polygons, -1, axis=1)
-    triangles = polygons[:, 3] < 0
-    following[triangles, 2] = polygons[triangles, 0]
-    pairs = numpy.stack([polygons, following], axis=2).reshape(-1, 2)
+    """The number of edges of polygons with -1 for missing nodes; and that of directed ones."""
+    pairs = numpy.stack([polygons, following(polygons)], axis=2).reshape(-1, 2)
     pairs = pairs[pairs.min(axis=1) >= 0]
     directed = len(numpy.unique(pairs, axis=0))
     return len(numpy.unique(numpy.sort(pairs, axis=1), axis=0)), directed
@@ -214,10 +238,10 @@ def expect_on_entities(result, model, tolerance):
 
 
 def polygon_areas(points, polygons):
-    """Half the cross product of the diagonals; a triangle's fourth corner is its first again."""
+    """The lengths of the area vectors: of quads half the cross product of the diagonals."""
     filled = numpy.where(polygons < 0, polygons[:, [0]], polygons)
-    p = points[filled]
-    return 0.5 * numpy.linalg.norm(numpy.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]), axis=1)
+    p = points[filled] - points[filled[:, [0]]]
+    return 0.5 * numpy.linalg.norm(numpy.cross(p[:, 1:-1], p[:, 2:]).sum(axis=1), axis=1)
 
 
 def expect_faces_covered(result, solids, tolerance):
@@ -237,15 +261,16 @@ def expect_faces_covered(result, solids, tolerance):
 
 
 def mesh_volume(result):
-    """Volume inside the boundary, by the divergence theorem; each quad is two triangles, both ways, averaged."""
-    origin = result.points.mean(axis=0)
-    total = 0.0
+    """Volume inside the boundary, by the divergence theorem; each polygon is a fan around the mean of its corners."""
     polygons = boundary_polygons(result)
-    for polygon in (polygons[is_outer(polygons, cells(result))],):
-        filled = numpy.where(polygon < 0, polygon[:, [0]], polygon)
-        a, b, c, d = (result.points[filled[:, i]] - origin for i in range(4))
-        for x, y, z in ((a, b, c), (a, c, d), (b, c, d), (b, d, a)):
-            total += numpy.einsum("ij,ij->i", x, numpy.cross(y, z)).sum() / 12
+    polygons = polygons[is_outer(polygons, cells(result))]
+    points = result.points - result.points.mean(axis=0)
+    has = polygons >= 0
+    middles = (points[polygons] * has[:, :, None]).sum(axis=1) / has.sum(axis=1)[:, None]
+    total = 0.0
+    for i, successor in enumerate(following(polygons).T):
+        a, b, c = middles[has[:, i]], points[polygons[has[:, i], i]], points[successor[has[:, i]]]
+        total += numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6
     return total
 
 
@@ -253,7 +278,7 @@ def expect_volume(result, model, exact):
     """The volume is the solids', but for what the chords cut off: at most area times the largest sag."""
     polygons = boundary_polygons(result)
     filled = numpy.where(polygons < 0, polygons[:, [0]], polygons)
-    centres = result.points[filled].mean(axis=1)
+    centres = result.points[filled].mean(axis=1)  # of those with fewer corners another point within
     sag = max(
         model.distance_to_face(int(result.boundary_faces[i]) - 1, centres[i])
         for i in spread(numpy.arange(len(centres)), 500)

@@ -27,14 +27,24 @@ def to_femmesh(result):
     Groups: `Solid` (all volumes), and for every CAD face that has elements `Face7` (its face elements) and
     `Face7_Nodes` (its nodes, those on its edges included). Node ids are the engine's indices plus 1.
 
-    Raises InputError for boundary polygons that FreeCAD has no element for.
+    Raises InputError for polyhedra and for boundary polygons, which FreeCAD has no elements for.
     """
+    if result.n_polyhedra:
+        refuse_polyhedra()
     volumes = _volume_blocks(result)
     faces, face_numbers = _face_blocks(result)
     mesh = _through_file(result.points, volumes + faces)
     n_volumes = sum(len(cells) for _, cells in volumes)
     _add_groups(mesh, n_volumes, faces, face_numbers)
     return mesh
+
+
+def refuse_polyhedra():
+    """Raises the InputError that says where polyhedra can go instead."""
+    raise input_error(
+        "FreeCAD's FEM meshes hold no polyhedra: choose hexahedra or prisms, or write a .vtu or .foam file from the command line.",
+        "write",
+    )
 
 
 def _volume_blocks(result):

@@ -51,7 +51,7 @@ def _run(arguments):
     """Does what the arguments say; returns the exit status."""
     started = time.perf_counter()
     for path in arguments.out:
-        output.check_path(path)
+        output.check_path(path, has_polyhedra=arguments.element == "polyhedron", order=arguments.order)
     if arguments.report:
         output.check_folder(arguments.report)
     if arguments.cut:

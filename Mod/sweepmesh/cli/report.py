@@ -45,6 +45,7 @@ def _counts(result):
         "nodes": len(result.points),
         "hexa": len(result.hexahedra),
         "prism": len(result.prisms),
+        "polyhedron": result.n_polyhedra,
         "boundary_faces": len(result.boundary_faces),
     }
 

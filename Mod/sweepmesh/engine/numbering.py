@@ -7,11 +7,13 @@
                    |/     |/               |/ \\|
                    0------1                0---1
 
+A polyhedron is a prism over a polygon of five corners or more, its rings as those of the others.
 Elements are told apart by their number of nodes: 8 and 6, and 20 and 15 with mid-side nodes, which follow the
 corners: those of the first ring's sides, of the second ring's, and those from ring to ring.
 """
 
 VTK_TYPES = {8: 12, 6: 13, 20: 25, 15: 26}
+VTK_POLYHEDRON = 42
 ABAQUS_TYPES = {8: "C3D8", 6: "C3D6", 20: "C3D20", 15: "C3D15"}
 
 _HEXAHEDRON_MIRRORED = [0, 3, 2, 1, 4, 7, 6, 5, 11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]
@@ -26,3 +28,9 @@ TO_SMESH = {8: _HEXAHEDRON_MIRRORED[:8], 20: _HEXAHEDRON_MIRRORED, 6: _PRISM_MIR
 HEXAHEDRON_SIDES = [(0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)]
 PRISM_SIDES = [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)]
 """Corners of the sides S1, S2, ... of Abaqus and CalculiX."""
+
+
+def polyhedron_faces(n):
+    """Corners of the faces of a polyhedron over n corners, counterclockwise seen from outside: rings, then sides."""
+    sides = [(i, (i + 1) % n, n + (i + 1) % n, n + i) for i in range(n)]
+    return [tuple(reversed(range(n))), tuple(range(n, 2 * n)), *sides]

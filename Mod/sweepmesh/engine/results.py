@@ -63,6 +63,11 @@ class Result:
     """(m, 8) int32, in VTK's order of nodes; (m, 20) for second order."""
     prisms: numpy.ndarray
     """(m, 6) int32, first ring counterclockwise seen from the second (Abaqus' order); (m, 15) for second order."""
+    polyhedron_offsets: numpy.ndarray
+    """Polyhedron i, a prism over a polygon of five corners or more, has the nodes
+    polyhedron_nodes[polyhedron_offsets[i]:polyhedron_offsets[i + 1]]."""
+    polyhedron_nodes: numpy.ndarray
+    """int32, of each its first ring, counterclockwise seen from the second, and then the second."""
     boundary_offsets: numpy.ndarray
     """Polygon i of the boundary has the nodes boundary_nodes[boundary_offsets[i]:boundary_offsets[i + 1]]."""
     boundary_nodes: numpy.ndarray
@@ -76,7 +81,7 @@ class Result:
     quality: dict
     """min_scaled_jacobian, mean_scaled_jacobian, n_inverted, histogram (counts of 20 bins from -1 to 1)."""
     scaled_jacobians: numpy.ndarray
-    """float64, per element: hexahedra, then prisms."""
+    """float64, per element: hexahedra, then prisms, then polyhedra."""
     seconds: Dict[str, float]
     """Time of each stage."""
     size: float
@@ -89,12 +94,27 @@ class Result:
     @property
     def n_elements(self):
         """Volume elements of all kinds."""
-        return len(self.hexahedra) + len(self.prisms)
+        return len(self.hexahedra) + len(self.prisms) + self.n_polyhedra
+
+    @property
+    def n_polyhedra(self):
+        """Elements over polygons of five corners or more."""
+        return len(self.polyhedron_offsets) - 1
+
+    def polyhedra_by_corners(self):
+        """[(which polyhedra, their nodes as (m, 2 n))] for each number n of corners that there is, the fewest first."""
+        starts, sizes = self.polyhedron_offsets[:-1], numpy.diff(self.polyhedron_offsets)
+        groups = [(size, numpy.flatnonzero(sizes == size)) for size in numpy.unique(sizes)]
+        return [(its, self.polyhedron_nodes[starts[its, None] + numpy.arange(size)]) for size, its in groups]
+
+    @property
+    def order(self):
+        """2 where there are mid-side nodes, else 1."""
+        return 2 if self.hexahedra.shape[1] == 20 or self.prisms.shape[1] == 15 else 1
 
     def boundary_sizes(self):
-        """Corners of each polygon of the boundary: 3 or 4, mid-side nodes not counted."""
-        order = 2 if self.hexahedra.shape[1] == 20 or self.prisms.shape[1] == 15 else 1
-        return numpy.diff(self.boundary_offsets) // order
+        """Corners of each polygon of the boundary, mid-side nodes not counted."""
+        return numpy.diff(self.boundary_offsets) // self.order
 
     @classmethod
     def from_core(cls, core, scaled_jacobians):
@@ -106,6 +126,8 @@ class Result:
             points=core.points,
             hexahedra=_with_mid_nodes(core.hexahedra, core.hexahedron_mid_nodes),
             prisms=_with_mid_nodes(core.prisms, core.prism_mid_nodes),
+            polyhedron_offsets=core.polyhedron_offset,
+            polyhedron_nodes=core.polyhedron_nodes,
             boundary_offsets=offsets,
             boundary_nodes=nodes,
             boundary_faces=core.boundary_face + 1,

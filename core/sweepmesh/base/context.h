@@ -1,9 +1,12 @@
-// The caller's side of a long run: cancel flag, progress, number of threads.
+// The caller's side of a long run: cancel flag, progress, number of threads, helpers.
 #pragma once
 
 #include <atomic>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <typeindex>
 #include <utility>
 
 #include "sweepmesh/base/errors.h"
@@ -34,6 +37,16 @@ class Context {
     const std::lock_guard lock(mutex_);
     message_ = std::move(message);
   }
+  /// The run's own `T`, made at its first use: what is costly to start and lives as long as the
+  /// context.
+  template <class T>
+  T& kept() const {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<void>& slot = kept_[typeid(T)];
+    if (!slot) slot = std::make_shared<T>();
+    return *static_cast<T*>(slot.get());
+  }
+
   double fraction() const { return fraction_; }
   std::string message() const {
     const std::lock_guard lock(mutex_);
@@ -46,6 +59,7 @@ class Context {
   std::atomic<double> fraction_ = 0.0;
   mutable std::mutex mutex_;
   std::string message_;
+  mutable std::map<std::type_index, std::shared_ptr<void>> kept_;
 };
 
 }  // namespace sweepmesh

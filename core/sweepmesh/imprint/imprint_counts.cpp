@@ -8,6 +8,7 @@
 
 #include "sweepmesh/imprint/axial_spacing.h"
 #include "sweepmesh/imprint/edge_lengths.h"
+#include "sweepmesh/imprint/polyline.h"
 #include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/wishes.h"
 
@@ -108,7 +109,7 @@ class Demands {
                  " must be even");
   }
 
-  /// Two curves with the same ends would be the same chord.
+  /// Two curves with the same ends would be the same chord: the one that leaves it farther bends.
   void keep_curves_apart() {
     std::map<std::pair<int, int>, std::vector<std::size_t>> between;
     for (std::size_t e = 0; e < imprint_.edges.size(); ++e)
@@ -118,9 +119,19 @@ class Demands {
         for (std::size_t j = 0; j < i; ++j) {
           const std::string a = name_of(imprint_.edges[edges[i]].traces.front().edge);
           const std::string b = name_of(imprint_.edges[edges[j]].traces.front().edge);
-          demand(Kind::at_least, {{edge_[edges[i]], 1.0}, {edge_[edges[j]], 1.0}}, 3.0, {a, b},
+          const std::size_t bent = bulge(edges[i]) > bulge(edges[j]) ? edges[i] : edges[j];
+          demand(Kind::at_least, {{edge_[bent], 1.0}}, 2.0, {a, b},
                  a + " and " + b + " must not be the same mesh edge");
         }
+  }
+
+  /// How far an imprint edge is from its chord.
+  double bulge(std::size_t edge) const {
+    const Polyline& line = imprint_.edges[edge].points;
+    double most = 0.0;
+    for (const Point2& p : line)
+      most = std::max(most, nearest({line.front(), line.back()}, p).distance);
+    return most;
   }
 
   // --- layers ------------------------------------------------------------------------------------
@@ -208,21 +219,15 @@ PieceDemands imprint_demands(const Model& model, const Scheme& scheme, const Imp
   return out;
 }
 
-ImprintCounts imprint_counts(SolvedIntervals solved, const std::vector<int>& piece) {
-  ImprintCounts out{std::move(solved.intervals), {}};
-  for (const int unknown : piece) out.edge.push_back(static_cast<int>(solved.values[unknown]));
-  return out;
-}
-
-ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                            const IntervalOptions& options, Context& context) {
+PieceCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
+                          const IntervalOptions& options, Context& context) {
   PieceDemands demands = imprint_demands(model, scheme, imprint, options);
-  return imprint_counts(solve_intervals(model, scheme, std::move(demands.whole), options, context),
-                        demands.piece);
+  return piece_counts(solve_intervals(model, scheme, std::move(demands.whole), options, context),
+                      demands.piece);
 }
 
 EdgeNodes place_imprinted_nodes(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                                const ImprintCounts& counts, const IntervalOptions& options) {
+                                const PieceCounts& counts, const IntervalOptions& options) {
   EdgeNodes out = place_edge_nodes(model, counts.intervals, options);
   for (const EdgeId e : model.edges()) {
     if (imprint.chain[e.index].size() < 2) continue;

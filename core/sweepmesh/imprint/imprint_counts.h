@@ -1,25 +1,16 @@
 // The number of mesh edges on every imprint edge, and with them on every CAD edge.
 #pragma once
 
-#include <vector>
-
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/imprint/imprint.h"
+#include "sweepmesh/imprint/piece_counts.h"
 #include "sweepmesh/imprint/walls.h"
-#include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/intervals/edge_nodes.h"
-#include "sweepmesh/intervals/interval_demands.h"
 #include "sweepmesh/intervals/interval_options.h"
-#include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/scheme/scheme.h"
 
 namespace sweepmesh {
-
-struct ImprintCounts {
-  Intervals intervals;
-  std::vector<int> edge;  ///< mesh edges on each imprint edge, at least 1
-};
 
 /// Solves the interval problem of interval_demands.h with the imprint's own demands:
 ///  - a CAD edge has the sum of the counts of the imprint edges that it is divided into;
@@ -29,22 +20,16 @@ struct ImprintCounts {
 ///    CAD edges of one imprint edge;
 ///  - the loops of a linking face lie as far apart along i as the imprint edges between them count.
 /// Throws SolverError where demands contradict each other, naming them.
-ImprintCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                            const IntervalOptions& options, Context& context);
+PieceCounts count_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint,
+                          const IntervalOptions& options, Context& context);
 
-/// The problem without its solution, for several solids that are counted together
-/// (solve_together).
-struct PieceDemands {
-  IntervalDemands whole;
-  std::vector<int> piece;  ///< by imprint or shell edge: its unknown
-};
+/// The problem without its solution.
 PieceDemands imprint_demands(const Model& model, const Scheme& scheme, const Imprint& imprint,
                              const IntervalOptions& options);
-ImprintCounts imprint_counts(SolvedIntervals solved, const std::vector<int>& piece);
 
 /// Where the nodes of each edge lie: evenly within each imprint edge that it is divided into, and
 /// on axial edges near the levels that they pass (axial_spacing.h).
 EdgeNodes place_imprinted_nodes(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                                const ImprintCounts& counts, const IntervalOptions& options);
+                                const PieceCounts& counts, const IntervalOptions& options);
 
 }  // namespace sweepmesh

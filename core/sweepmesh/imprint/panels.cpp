@@ -1,7 +1,6 @@
 #include "sweepmesh/imprint/panels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -159,8 +158,7 @@ void keep_growing(Heights& height) {
 Heights level_heights(const Model& model, const Walls& walls, const Point3& direction,
                       const Reference& seen) {
   const auto height = [&](VertexId v) {
-    const double h = direction.dot(model.point(v) - seen.origin) / seen.unit;
-    return std::round(h / seen.lattice) * seen.lattice;
+    return on_lattice(direction.dot(model.point(v) - seen.origin) / seen.unit, seen.lattice);
   };
   std::map<int, std::pair<double, int>> sums;
   for (const EdgeId e : walls.edges) {

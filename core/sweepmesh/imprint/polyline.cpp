@@ -112,10 +112,6 @@ Polyline apart_from_ends(const Polyline& line, double distance) {
   return out;
 }
 
-Point2 on_lattice(const Point2& p, double step) {
-  return (p / step).array().round() * step + 0.0;  // no zero with a minus
-}
-
 Box2 box_of(const Polyline& line) {
   Box2 box{line.front(), line.front()};
   for (const Point2& p : line) {

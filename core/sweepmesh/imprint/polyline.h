@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sweepmesh/base/geometry.h"
+#include "sweepmesh/base/lattice.h"
 
 namespace sweepmesh {
 
@@ -40,10 +41,6 @@ Polyline with_ends_only(const Polyline& line, const Point2& first, const Point2&
 
 /// Without the points that are nearer to one of its ends than that.
 Polyline apart_from_ends(const Polyline& line, double distance);
-
-/// The nearest point whose coordinates are multiples of `step`: points that differ by rounding are
-/// then the same, and so are the decisions taken on them, however a solid is turned.
-Point2 on_lattice(const Point2& p, double step);
 
 struct Box2 {
   Point2 low, high;

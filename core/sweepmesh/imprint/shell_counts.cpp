@@ -161,15 +161,15 @@ std::vector<Point2> even_on_face(const Model& model, FaceId face, const std::vec
   return out;
 }
 
-ShellCounts count_shell(const Model& model, const Scheme& scheme, const Shell& shell,
+PieceCounts count_shell(const Model& model, const Scheme& scheme, const Shell& shell,
                         const IntervalOptions& options, Context& context) {
   Demands demands(model, scheme, shell, options);
   demands.add();
   SolvedIntervals solved = solve_intervals(model, scheme, demands.demands(), options, context);
-  ShellCounts out{std::move(solved.intervals), {}};
+  std::vector<int> piece;
   for (std::size_t e = 0; e < shell.edges.size(); ++e)
-    out.edge.push_back(static_cast<int>(solved.values[demands.unknown(static_cast<int>(e))]));
-  return out;
+    piece.push_back(demands.unknown(static_cast<int>(e)));
+  return piece_counts(std::move(solved), piece);
 }
 
 }  // namespace sweepmesh

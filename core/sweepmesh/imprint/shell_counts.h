@@ -4,24 +4,19 @@
 #include <vector>
 
 #include "sweepmesh/base/context.h"
+#include "sweepmesh/imprint/piece_counts.h"
 #include "sweepmesh/imprint/shell.h"
 #include "sweepmesh/intervals/interval_options.h"
-#include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/scheme/scheme.h"
 
 namespace sweepmesh {
 
-struct ShellCounts {
-  Intervals intervals;
-  std::vector<int> edge;  ///< mesh edges on each shell edge, at least 1
-};
-
 /// Solves the interval problem of interval_demands.h, in which the two CAD edges of a shell edge
 /// have the same count, cuts have counts of their own, the sum around every patch is even (quads),
 /// and a patch's source lies at least a layer above its target. Throws SolverError where demands
 /// contradict each other, naming them.
-ShellCounts count_shell(const Model& model, const Scheme& scheme, const Shell& shell,
+PieceCounts count_shell(const Model& model, const Scheme& scheme, const Shell& shell,
                         const IntervalOptions& options, Context& context);
 
 /// n + 1 parameters on a face, evenly spaced in length along a polyline in its parameter plane; the

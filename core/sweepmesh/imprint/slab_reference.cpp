@@ -53,7 +53,8 @@ class SlabWalker {
       is_upright_.push_back(is_upright(walls_, seen_, FaceId{f}));
     for (int level = base_ + 1; level < n; ++level) carry(level - 1, level, level);
     for (int level = base_; level >= 0; --level) carry(level, level + 1, level);
-    for (const ReferenceCurve& c : out_.curves) {
+    for (ReferenceCurve& c : out_.curves) {
+      for (Point2& p : c.points) p = on_lattice(p, seen_.lattice);
       out_.vertex[model_.start(c.edge).index] = c.points.front();
       out_.vertex[model_.end(c.edge).index] = c.points.back();
     }

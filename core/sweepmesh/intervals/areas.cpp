@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweepmesh/base/lattice.h"
+
 namespace sweepmesh {
 namespace {
 
-constexpr int kFine = 48;            ///< chords that stand for the curve itself
-constexpr double kMostTimes = 6.0;   ///< a sliver of a face must not rule the whole mesh
+constexpr int kFine = 48;                     ///< chords that stand for the curve itself
+constexpr double kMostTimes = 6.0;            ///< a sliver of a face must not rule the whole mesh
+constexpr double kLattice = 1.0 / (1 << 20);  ///< of wishes, far above rounding errors
 constexpr double kNearEnough = 1.2;  ///< what is chosen may miss by so much more than is wished
 
 /// Twice the area between a coedge's chord and the polygon of `n` chords of equal parameter along
@@ -58,7 +61,8 @@ std::vector<double> area_counts(const Model& model, const IntervalOptions& optio
                                 const std::vector<double>& wishes) {
   std::vector<double> out(model.n_edges(), 0.0);
   const auto count = [&](EdgeId e) {
-    return static_cast<int>(std::lround(std::min<double>(wishes[e.index], kFine)));
+    const double wish = on_lattice(std::min<double>(wishes[e.index], kFine), kLattice);
+    return static_cast<int>(std::lround(wish));
   };
   for (const FaceId face : model.faces()) {
     if (!model.is_planar(face)) continue;

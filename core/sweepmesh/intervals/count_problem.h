@@ -11,11 +11,13 @@
 // relaxation then has whole corners wherever the demands are network-like.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sweepmesh/base/context.h"
+#include "sweepmesh/base/lattice.h"
 #include "sweepmesh/numerics/lp/integer_program.h"
 
 namespace sweepmesh {
@@ -39,7 +41,12 @@ struct CountProblem {
   std::vector<Unknown> unknowns;
   std::vector<Demand> demands;
 
+  /// Wishes and weights are rounded to far more than lengths differ by where a solid is turned or
+  /// scaled, and to far less than what counts.
   int add(Unknown u) {
+    constexpr double step = 1.0 / (1 << 12);
+    if (u.wish) u.wish = std::max(step, on_lattice(*u.wish, step));
+    u.weight = on_lattice(u.weight, step);
     unknowns.push_back(u);
     return static_cast<int>(unknowns.size()) - 1;
   }

@@ -143,7 +143,7 @@ bool is_used(const DividedModel& parts, const Scheme& scheme, EdgeId cut) {
   return false;
 }
 
-std::vector<CutGroup> used_groups(const Model& model, const DividedModel& parts,
+std::set<std::size_t> used_groups(const Model& model, const DividedModel& parts,
                                   const Scheme& scheme, const std::vector<CutGroup>& groups) {
   std::set<std::size_t> used;
   for (const EdgeId e : parts.model.edges()) {
@@ -160,22 +160,25 @@ std::vector<CutGroup> used_groups(const Model& model, const DividedModel& parts,
       }
     used.insert(owner);
   }
-  std::vector<CutGroup> out;
-  for (const std::size_t g : used) out.push_back(groups[g]);
-  return out;
+  return used;
 }
 
-std::optional<DividedSweep> divided_by(const Model& model, const std::vector<CutGroup>& groups,
-                                       const Picks& picks, const SweepOptions& options,
-                                       Strain strain, Context& context) {
+/// With the verdict on the parts, sweepable or not.
+DividedSweep divided_by(const Model& model, const std::vector<CutGroup>& groups, const Picks& picks,
+                        const SweepOptions& options, Context& context) {
   DividedModel parts = divide_model(model, all_of(groups));
   const Picks own = picks_of_parts(parts, picks);
   SweepOptions wishes = options_of_parts(model, parts, options);
   Assessment assessment = assess(parts.model, own, context);
   if (is_free(picks)) keep_laid_out(parts.model, wishes, context, assessment);
-  if (strain == Strain::accepted) accept_strained(parts.model, wishes, context, assessment);
-  if (!assessment.is_sweepable()) return {};
-  return DividedSweep{std::move(parts), own, std::move(wishes), std::move(assessment)};
+  return {std::move(parts), own, std::move(wishes), std::move(assessment)};
+}
+
+/// Whether it can be swept after all.
+bool accept(DividedSweep& divided, Strain strain, Context& context) {
+  if (strain == Strain::accepted)
+    accept_strained(divided.parts.model, divided.options, context, divided.assessment);
+  return divided.assessment.is_sweepable();
 }
 
 }  // namespace
@@ -184,17 +187,45 @@ bool may_be_divided(const Assessment& whole) {
   return !whole.folds;
 }
 
-std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
-                                            const SweepOptions& options, Strain strain,
-                                            Context& context) try {
-  const std::vector<CutGroup> groups = round_cuts(model);
-  if (groups.empty()) return {};
-  auto all = divided_by(model, groups, picks, options, strain, context);
-  if (!all) return {};
-  const auto used = used_groups(model, all->parts, all->assessment.schemes.front(), groups);
-  if (used.empty() || used.size() == groups.size()) return all;
-  auto least = divided_by(model, used, picks, options, strain, context);
-  return least ? std::move(least) : std::move(all);
+void RoundDivision::divide(Context& context) {
+  is_known_ = true;
+  groups_ = round_cuts(model_);
+  if (!groups_.empty()) all_ = divided_by(model_, groups_, picks_, options_, context);
+}
+
+std::optional<DividedSweep> RoundDivision::swept(Strain strain, Context& context) {
+  if (!is_known_) divide(context);
+  is_made_.clear();
+  scheme_ = 0;
+  if (!all_ || !accept(*all_, strain, context)) return {};
+  auto least = divided_as(all_->assessment.schemes[scheme_++], strain, context);
+  return least ? std::move(least) : all_;
+}
+
+/// Empty where these cuts were made before, or are all of them or none.
+std::optional<DividedSweep> RoundDivision::divided_as(const Scheme& scheme, Strain strain,
+                                                      Context& context) {
+  const auto used = used_groups(model_, all_->parts, scheme, groups_);
+  if (!is_made_.insert(used).second || used.empty() || used.size() == groups_.size()) return {};
+  std::vector<CutGroup> cuts;
+  for (const std::size_t g : used) cuts.push_back(groups_[g]);
+  DividedSweep out = divided_by(model_, cuts, picks_, options_, context);
+  if (!accept(out, strain, context)) return {};
+  return out;
+}
+
+std::optional<DividedSweep> RoundDivision::other(Strain strain, Context& context) try {
+  while (all_ && scheme_ < all_->assessment.schemes.size())
+    if (auto out = divided_as(all_->assessment.schemes[scheme_++], strain, context)) return out;
+  return {};
+} catch (const Cancelled&) {
+  throw;
+} catch (const Error&) {
+  return {};
+}
+
+std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& context) try {
+  return swept(strain, context);
 } catch (const Cancelled&) {
   throw;
 } catch (const Error&) {
@@ -205,13 +236,15 @@ Assessment assess_or_divide(const Model& model, const Picks& picks, Context& con
   Assessment whole = assess(model, picks, context);
   if (is_free(picks)) refuse_without_layout(model, context, whole);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;
+  const SweepOptions options;
+  RoundDivision division(model, picks, options);
   const auto divided = [&](Strain strain) -> std::optional<Assessment> {
-    const auto found = divide_to_sweep(model, picks, {}, strain, context);
+    const auto found = division.to_sweep(strain, context);
     if (!found) return {};
     return of_whole(model, found->parts, found->assessment);
   };
   if (auto found = divided(Strain::refused)) return *found;
-  accept_strained(model, {}, context, whole);
+  accept_strained(model, options, context, whole);
   if (whole.is_sweepable()) return whole;
   return divided(Strain::accepted).value_or(whole);
 }

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "sweepmesh/model/divided_model.h"
 #include "sweepmesh/pipeline/plan.h"
 #include "sweepmesh/pipeline/sweep.h"
+#include "sweepmesh/scheme/round_cuts.h"
 
 namespace sweepmesh {
 
@@ -15,18 +18,43 @@ struct DividedSweep {
   DividedModel parts;
   Picks picks;
   SweepOptions options;
-  Assessment assessment;  ///< of parts.model, sweepable
+  Assessment assessment;  ///< of parts.model, sweepable where it is handed out
 };
 
 /// Whether strained schemes (layout.h) will do for a divided solid.
 enum class Strain { refused, accepted };
 
-/// The solid with those cuts along its rounds that a scheme has use for; empty where it has no
-/// rounds or cannot be swept with all of them cut. A picked face is picked with all of its pieces;
-/// a fixed number of mesh edges on a divided edge goes to its pieces by length.
-std::optional<DividedSweep> divide_to_sweep(const Model& model, const Picks& picks,
-                                            const SweepOptions& options, Strain strain,
-                                            Context& context);
+/// A solid with those cuts along its rounds that a scheme has use for. The cuts and the verdict on
+/// what they leave are found once, when first asked for.
+class RoundDivision {
+ public:
+  /// The arguments must outlive it.
+  RoundDivision(const Model& model, const Picks& picks, const SweepOptions& options)
+      : model_(model), picks_(picks), options_(options) {}
+
+  /// Empty where the solid has no rounds or cannot be swept with all of them cut. A picked face is
+  /// picked with all of its pieces; a fixed number of mesh edges on a divided edge goes to its
+  /// pieces by length. Throws Cancelled only.
+  std::optional<DividedSweep> to_sweep(Strain strain, Context& context);
+
+  /// After to_sweep: divided as another scheme of the solid with all its rounds cut asks for, by
+  /// other cuts than before. Empty where no scheme asks for any. Throws Cancelled only.
+  std::optional<DividedSweep> other(Strain strain, Context& context);
+
+ private:
+  void divide(Context& context);
+  std::optional<DividedSweep> swept(Strain strain, Context& context);
+  std::optional<DividedSweep> divided_as(const Scheme& scheme, Strain strain, Context& context);
+
+  const Model& model_;
+  const Picks& picks_;
+  const SweepOptions& options_;
+  bool is_known_ = false;
+  std::vector<CutGroup> groups_;
+  std::optional<DividedSweep> all_;          ///< with all cuts, sweepable or not
+  std::set<std::set<std::size_t>> is_made_;  ///< sets of groups
+  std::size_t scheme_ = 0;                   ///< of all_, the next one to look at
+};
 
 /// Whether to divide a solid that has this verdict as it is: not where walls run against each
 /// other, which no division mends.

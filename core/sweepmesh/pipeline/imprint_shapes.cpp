@@ -1,12 +1,10 @@
 #include "sweepmesh/pipeline/imprint_shapes.h"
 
-#include <exception>
 #include <map>
 #include <utility>
 
 #include "sweepmesh/imprint/divided_caps.h"
-#include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/imprint/shell.h"
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/sweep_solids.h"
 
 namespace sweepmesh {
@@ -33,27 +31,16 @@ std::vector<CapDivision> caps_of_shell(const Model& model, const Shell& shell) {
 
 class ShapeMaker {
  public:
-  ShapeMaker(ImprintShapes& out, std::vector<double> merge_fractions, Context& context)
-      : out_(out), merge_fractions_(std::move(merge_fractions)), context_(context) {}
+  ShapeMaker(ImprintShapes& out, const SweepOptions& options, Context& context)
+      : out_(out), options_(options), context_(context) {}
 
-  /// Where near curves, brought together within one distance, cannot be imprinted or drawn, within
-  /// the next one, as sweep() does.
   void add_solid(const Model& model, const Scheme& scheme) {
-    if (is_one_to_one(scheme)) return add(whole_caps(model, scheme), scheme, 1);
-    if (is_shell_like(model, scheme)) {
-      auto caps = caps_of_shell(model, find_shell(model, scheme, context_));
-      const int n_pairs = static_cast<int>(caps.size()) / 2;
-      return add(std::move(caps), scheme, n_pairs);
-    }
-    std::exception_ptr first;
-    for (const double fraction : merge_fractions_) try {
-        return add_imprint(model, scheme, fraction);
-      } catch (const InvalidMeshError&) {
-        if (!first) first = std::current_exception();
-      } catch (const ImprintError&) {
-        if (!first) first = std::current_exception();
-      }
-    std::rethrow_exception(first);
+    with_some_merging(
+        merge_fractions(model, scheme, options_, out_.size),
+        [&](double fraction) {
+          return match_caps(model, scheme, {out_.size, fraction}, context_);
+        },
+        [&](const CapMatch& match, double) { add(model, scheme, match); });
   }
 
   void make_shapes() {
@@ -72,9 +59,16 @@ class ShapeMaker {
   }
 
  private:
-  void add_imprint(const Model& model, const Scheme& scheme, double merge_fraction) {
-    const ImprintOptions how{.size = out_.size, .merge_fraction = merge_fraction};
-    const Imprint imprint = imprint_caps(model, scheme, how, context_);
+  void add(const Model& model, const Scheme& scheme, const CapMatch& match) {
+    if (const auto* imprint = std::get_if<Imprint>(&match))
+      return add_imprint(model, scheme, *imprint);
+    const auto* shell = std::get_if<Shell>(&match);
+    auto caps = shell ? caps_of_shell(model, *shell) : whole_caps(model, scheme);
+    const int n_pairs = static_cast<int>(caps.size()) / 2;
+    add(std::move(caps), scheme, n_pairs);
+  }
+
+  void add_imprint(const Model& model, const Scheme& scheme, const Imprint& imprint) {
     auto caps = divide_caps(model, scheme, imprint, context_);
     int n_runs = 0;
     for (const Patch& p : imprint.patches) n_runs += static_cast<int>(p.runs.size());
@@ -95,7 +89,7 @@ class ShapeMaker {
   }
 
   ImprintShapes& out_;
-  std::vector<double> merge_fractions_;
+  const SweepOptions& options_;
   Context& context_;
   std::vector<CapDivision> caps_;
   std::vector<bool> is_source_;  ///< by cap
@@ -115,7 +109,7 @@ ImprintShapes imprint_solids(const std::vector<Model>& solids, const Picks& pick
     verdicts.push_back(assess(solid, picks_on(solid, picks), context));
   out.assessment = solids.size() == 1 ? verdicts.front() : merged_verdicts(verdicts);
   if (!out.assessment.is_sweepable()) return out;
-  ShapeMaker maker(out, merge_fractions(options, out.size), context);
+  ShapeMaker maker(out, options, context);
   for (std::size_t s = 0; s < solids.size(); ++s)
     maker.add_solid(solids[s], verdicts[s].schemes.front());
   maker.make_shapes();

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "sweepmesh/imprint/imprint.h"
-#include "sweepmesh/pipeline/scheme_mesh.h"
 #include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {

@@ -28,7 +28,7 @@ struct CapBase {
 class BoundaryMesher {
  public:
   BoundaryMesher(const Model& model, const Scheme& scheme, const Imprint& imprint,
-                 const ImprintCounts& counts, const IntervalOptions& options, CellKind kind,
+                 const PieceCounts& counts, const IntervalOptions& options, CellKind kind,
                  Context& context, const GivenBoundary& given)
       : model_(model),
         scheme_(scheme),
@@ -308,7 +308,7 @@ class BoundaryMesher {
   const Model& model_;
   const Scheme& scheme_;
   const Imprint& imprint_;
-  const ImprintCounts& counts_;
+  const PieceCounts& counts_;
   const IntervalOptions& options_;
   const CellKind kind_;
   Context& context_;
@@ -324,7 +324,7 @@ class BoundaryMesher {
 }  // namespace
 
 BoundaryMesh mesh_imprinted_boundary(const Model& model, const Scheme& scheme,
-                                     const Imprint& imprint, const ImprintCounts& counts,
+                                     const Imprint& imprint, const PieceCounts& counts,
                                      const IntervalOptions& options, CellKind kind,
                                      Context& context, const GivenBoundary& given) {
   return BoundaryMesher(model, scheme, imprint, counts, options, kind, context, given).run();

@@ -15,7 +15,7 @@ namespace sweepmesh {
 /// naming the face. What is given is taken over; a given cap must be one patch, or InvalidMeshError
 /// names it.
 BoundaryMesh mesh_imprinted_boundary(const Model& model, const Scheme& scheme,
-                                     const Imprint& imprint, const ImprintCounts& counts,
+                                     const Imprint& imprint, const PieceCounts& counts,
                                      const IntervalOptions& options, CellKind kind,
                                      Context& context, const GivenBoundary& given = {});
 

@@ -8,6 +8,7 @@
 #include "sweepmesh/imprint/imprint_caps.h"
 #include "sweepmesh/imprint/shell.h"
 #include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/imprinted_boundary.h"
 #include "sweepmesh/surface/linking_edges.h"
 #include "sweepmesh/surface/linking_faces.h"
@@ -21,7 +22,7 @@ struct Part {
   IntervalOptions options;
   std::optional<Imprint> imprint;  ///< of a sweep with several caps
   std::vector<int> piece;          ///< its edges' unknowns
-  ImprintCounts counts;
+  PieceCounts counts;
   EdgeNodes nodes;
   GivenBoundary given;
   BoundaryMesh boundary;
@@ -139,7 +140,7 @@ class JointMesher {
     for (Part& part : parts_) demands.push_back(demands_of(part));
     auto solved = solve_together(std::move(demands), ties(), context_);
     for (std::size_t p = 0; p < parts_.size(); ++p)
-      parts_[p].counts = imprint_counts(std::move(solved[p]), parts_[p].piece);
+      parts_[p].counts = piece_counts(std::move(solved[p]), parts_[p].piece);
   }
 
   /// By the edge that stands for it: the uses of every edge that parts have in common.

@@ -1,27 +1,10 @@
 #include "sweepmesh/pipeline/layout.h"
 
-#include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/imprint/imprint_counts.h"
-#include "sweepmesh/imprint/shell_counts.h"
-#include "sweepmesh/intervals/assign_intervals.h"
-#include "sweepmesh/pipeline/scheme_mesh.h"
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {
 namespace {
-
-/// Throws the stages' errors.
-void lay_out(const Model& model, const Scheme& scheme, double merge_fraction,
-             const IntervalOptions& options, Context& context) {
-  if (is_shell_like(model, scheme)) {
-    count_shell(model, scheme, find_shell(model, scheme, context), options, context);
-  } else if (is_one_to_one(scheme)) {
-    assign_intervals(model, scheme, options, context);
-  } else {
-    const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
-    count_imprint(model, scheme, imprint_caps(model, scheme, how, context), options, context);
-  }
-}
 
 LayoutFault fault_of(const Error& error) {
   return {{ReasonKind::geometric, error.what(), error.entities()}, !is_final(error)};
@@ -44,26 +27,16 @@ std::optional<LayoutFault> fault_at_all_sizes(const Model& model, const Scheme& 
 
 }  // namespace
 
-bool is_final(const Error& error) {
-  const auto* imprint = dynamic_cast<const ImprintError*>(&error);
-  return imprint && imprint->failure() == ImprintFailure::unreachable;
-}
-
 std::optional<LayoutFault> layout_fault(const Model& model, const Scheme& scheme,
                                         const SweepOptions& options, Context& context) {
-  const double size = options.size.value_or(default_size(model));
-  const IntervalOptions intervals = interval_options(model, options, size);
-  std::optional<LayoutFault> first;
-  for (const double fraction : merge_fractions(options, size)) try {
-      lay_out(model, scheme, fraction, intervals, context);
-      return {};
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Error& error) {
-      if (!first) first = fault_of(error);
-      if (error.entities().empty() || is_final(error)) break;
-    }
-  return first;
+  try {
+    lay_out(model, scheme, options, options.size.value_or(default_size(model)), context);
+    return {};
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    return fault_of(error);
+  }
 }
 
 bool is_free(const Picks& picks) {

@@ -17,10 +17,6 @@
 
 namespace sweepmesh {
 
-/// Curves cannot be carried to another level: that depends neither on how near they are nor on the
-/// size.
-bool is_final(const Error& error);
-
 struct LayoutFault {
   Reason reason;
   bool is_of_size = true;  ///< another element size may mend it

@@ -153,6 +153,7 @@ class Merger {
     add_rows(solid, mesh.prisms, out_.prisms);
     add_rows(solid, mesh.hexahedron_mid_nodes, out_.hexahedron_mid_nodes);
     add_rows(solid, mesh.prism_mid_nodes, out_.prism_mid_nodes);
+    add_polyhedra(solid);
     add_polygons(solid);
   }
 
@@ -162,6 +163,14 @@ class Merger {
       for (int& n : row) n = number_of(solid, n);
       to.push_back(row);
     }
+  }
+
+  void add_polyhedra(int solid) {
+    const VolumeMesh& mesh = meshes_[solid];
+    const int first = static_cast<int>(out_.polyhedron_nodes.size());
+    for (const int n : mesh.polyhedron_nodes) out_.polyhedron_nodes.push_back(number_of(solid, n));
+    for (int i = 1; i <= mesh.n_polyhedra(); ++i)
+      out_.polyhedron_offset.push_back(first + mesh.polyhedron_offset[i]);
   }
 
   void add_polygons(int solid) {

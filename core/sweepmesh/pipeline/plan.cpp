@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <exception>
 #include <set>
+#include <utility>
 
-#include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/imprint/imprint_counts.h"
-#include "sweepmesh/imprint/shell_counts.h"
-#include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
 #include "sweepmesh/pipeline/layout.h"
 
@@ -64,44 +62,15 @@ void forget_seams(const Scheme& scheme, const std::set<EdgeId>& used, SweepPlan&
   }
 }
 
-std::set<EdgeId> edges_of(const Shell& shell) {
+/// CAD edges that patches end at.
+std::set<EdgeId> used_edges(const Model& model, const CapMatch& match) {
   std::set<EdgeId> out;
-  for (const ShellEdge& e : shell.edges) out.insert({e.high.edge, e.low.edge});
+  if (const auto* shell = std::get_if<Shell>(&match))
+    for (const ShellEdge& e : shell->edges) out.insert({e.high.edge, e.low.edge});
+  if (const auto* imprint = std::get_if<Imprint>(&match))
+    for (const EdgeId e : model.edges())
+      if (!imprint->chain[e.index].empty()) out.insert(e);
   return out;
-}
-
-std::set<EdgeId> edges_of(const Model& model, const Imprint& imprint) {
-  std::set<EdgeId> out;
-  for (const EdgeId e : model.edges())
-    if (!imprint.chain[e.index].empty()) out.insert(e);
-  return out;
-}
-
-void plan_one_to_one(const Model& model, const Scheme& scheme, const IntervalOptions& options,
-                     Context& context, SweepPlan& plan) {
-  plan.intervals = assign_intervals(model, scheme, options, context);
-  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
-  forget_seams(scheme, {}, plan);
-}
-
-/// Nodes on cuts through the caps belong to no edge and are left out.
-void plan_shell(const Model& model, const Scheme& scheme, const IntervalOptions& options,
-                Context& context, SweepPlan& plan) {
-  const Shell shell = find_shell(model, scheme, context);
-  plan.intervals = count_shell(model, scheme, shell, options, context).intervals;
-  plan.edge_nodes = points_of(model, place_edge_nodes(model, plan.intervals, options));
-  forget_seams(scheme, edges_of(shell), plan);
-}
-
-void plan_imprinted(const Model& model, const Scheme& scheme, double merge_fraction,
-                    const IntervalOptions& options, Context& context, SweepPlan& plan) {
-  const ImprintOptions how{.size = options.size, .merge_fraction = merge_fraction};
-  const Imprint imprint = imprint_caps(model, scheme, how, context);
-  const ImprintCounts counts = count_imprint(model, scheme, imprint, options, context);
-  plan.intervals = counts.intervals;
-  plan.edge_nodes =
-      points_of(model, place_imprinted_nodes(model, scheme, imprint, counts, options));
-  forget_seams(scheme, edges_of(model, imprint), plan);
 }
 
 /// Of the best scheme of plan.assessment.
@@ -109,13 +78,10 @@ void fill_best(const Model& model, const SweepOptions& options, Context& context
   const Scheme& scheme = plan.assessment.schemes.front();
   plan.corners = corners_of(model, scheme);
   const IntervalOptions intervals = interval_options(model, options, plan.size);
-  if (is_shell_like(model, scheme))
-    plan_shell(model, scheme, intervals, context, plan);
-  else if (is_one_to_one(scheme))
-    plan_one_to_one(model, scheme, intervals, context, plan);
-  else
-    plan_imprinted(model, scheme, merge_fractions(options, plan.size).front(), intervals, context,
-                   plan);
+  auto [match, counts] = lay_out(model, scheme, options, plan.size, context);
+  plan.edge_nodes = points_of(model, nodes_on_edges(model, scheme, match, counts, intervals));
+  plan.intervals = std::move(counts.intervals);
+  forget_seams(scheme, used_edges(model, match), plan);
   plan.directions = directions_of(model, scheme, plan.intervals);
 }
 
@@ -137,10 +103,9 @@ void fill(const Model& model, const SweepOptions& options, Context& context, Swe
 }
 
 /// Empty where the solid cannot be divided, or swept so.
-std::optional<SweepPlan> plan_of_divided(const Model& model, const Picks& picks,
-                                         const SweepOptions& options, Strain strain, double size,
-                                         Context& context) {
-  const auto divided = divide_to_sweep(model, picks, options, strain, context);
+std::optional<SweepPlan> plan_of_divided(const Model& model, RoundDivision& division, Strain strain,
+                                         double size, Context& context) {
+  const auto divided = division.to_sweep(strain, context);
   if (!divided) return {};
   SweepPlan plan;
   plan.size = size;
@@ -153,14 +118,15 @@ std::optional<SweepPlan> plan_of_divided(const Model& model, const Picks& picks,
 SweepPlan plan_of_unsweepable(const Model& model, const Picks& picks, const SweepOptions& options,
                               Context& context, SweepPlan plan) {
   if (!may_be_divided(plan.assessment)) return plan;
-  if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+  RoundDivision division(model, picks, options);
+  if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
     return *divided;
   accept_strained(model, options, context, plan.assessment);
   if (plan.assessment.is_sweepable()) {
     fill(model, options, context, plan);
     return plan;
   }
-  auto divided = plan_of_divided(model, picks, options, Strain::accepted, plan.size, context);
+  auto divided = plan_of_divided(model, division, Strain::accepted, plan.size, context);
   return divided ? *divided : plan;
 }
 
@@ -182,10 +148,11 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
-    if (auto divided = plan_of_divided(model, picks, options, Strain::refused, plan.size, context))
+    RoundDivision division(model, picks, options);
+    if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
       return *divided;
     if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
-    if (auto divided = plan_of_divided(model, picks, options, Strain::accepted, plan.size, context))
+    if (auto divided = plan_of_divided(model, division, Strain::accepted, plan.size, context))
       return *divided;
     SweepPlan refused;
     refused.size = plan.size;

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "sweepmesh/pipeline/scheme_mesh.h"
 #include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sweepmesh/pipeline/scheme_mesh.h"
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {

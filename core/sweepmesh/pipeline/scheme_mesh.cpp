@@ -1,16 +1,12 @@
 #include "sweepmesh/pipeline/scheme_mesh.h"
 
 #include <cmath>
-#include <exception>
 #include <set>
 #include <utility>
 
-#include "sweepmesh/imprint/imprint_caps.h"
-#include "sweepmesh/intervals/assign_intervals.h"
 #include "sweepmesh/pipeline/boundary.h"
 #include "sweepmesh/pipeline/faces_at_elements.h"
 #include "sweepmesh/pipeline/imprinted_boundary.h"
-#include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/pipeline/second_order_on_model.h"
 #include "sweepmesh/pipeline/shell_boundary.h"
 #include "sweepmesh/pipeline/sliding_nodes.h"
@@ -66,6 +62,13 @@ std::string merge_warning(double fraction) {
          std::to_string(std::lround(100 * fraction)) + " % of the element size.";
 }
 
+std::vector<std::string> caps_of(const Scheme& scheme) {
+  std::vector<std::string> out;
+  for (const FaceRole role : {FaceRole::source, FaceRole::target})
+    for (const FaceId f : scheme.faces_with(role)) out.push_back(name_of(f));
+  return out;
+}
+
 class SchemeMesher {
  public:
   SchemeMesher(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
@@ -79,7 +82,7 @@ class SchemeMesher {
         context_(context) {}
 
   SchemeMesh run() {
-    const BoundaryMesh boundary = mesh_boundary();
+    const BoundaryMesh boundary = mesh_surface();
     SchemeMesh filled =
         fill_boundary(model_, boundary, std::move(out_.intervals), {}, options_, clock_, context_);
     filled.warnings.insert(filled.warnings.begin(), out_.warnings.begin(), out_.warnings.end());
@@ -87,70 +90,33 @@ class SchemeMesher {
   }
 
  private:
-  BoundaryMesh mesh_boundary() {
-    if (is_shell_like(model_, scheme_)) return between_shells();
-    return is_one_to_one(scheme_) ? one_to_one() : many_to_many();
+  BoundaryMesh mesh_surface() {
+    const auto fractions = merge_fractions(model_, scheme_, options_, intervals_.size);
+    return with_some_merging(
+        fractions, [&](double fraction) { return matched(fraction); },
+        [&](CapMatch& match, double fraction) {
+          BoundaryMesh boundary = over(match);
+          if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
+          return boundary;
+        });
   }
 
-  BoundaryMesh one_to_one() {
-    context_.report(0.1, "Choosing intervals");
-    out_.intervals = clock_.run(
-        "intervals", [&] { return assign_intervals(model_, scheme_, intervals_, context_); });
-    context_.report(0.2, "Meshing the surface");
-    return clock_.run("surface", [&] {
-      return without_overlaps(
-          sweepmesh::mesh_boundary(model_, scheme_, out_.intervals, intervals_, kind_, context_));
-    });
-  }
-
-  /// Near curves are brought together within the first distance, or, where curves then get into
-  /// each other's way or cells have no room on a cap, within another one. If none will do, the
-  /// first error counts.
-  BoundaryMesh many_to_many() {
-    const std::vector<double> fractions = merge_fractions(options_, intervals_.size);
-    std::exception_ptr first;
-    for (const double fraction : fractions) try {
-        BoundaryMesh boundary = with_merging(fraction);
-        if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
-        return boundary;
-      } catch (const Cancelled&) {
-        throw;
-      } catch (const Error& e) {
-        if (!first) first = std::current_exception();
-        if (e.entities().empty() || is_final(e)) break;  // nothing that merging could change
-      }
-    std::rethrow_exception(first);
-  }
-
-  BoundaryMesh with_merging(double merge_fraction) {
-    context_.report(0.05, "Imprinting");
-    const Imprint imprint = clock_.run("imprint", [&] {
-      const ImprintOptions how{.size = intervals_.size, .merge_fraction = merge_fraction};
-      return imprint_caps(model_, scheme_, how, context_);
-    });
-    context_.report(0.1, "Choosing intervals");
-    const ImprintCounts counts = clock_.run(
-        "intervals", [&] { return count_imprint(model_, scheme_, imprint, intervals_, context_); });
-    out_.intervals = counts.intervals;
-    context_.report(0.2, "Meshing the surface");
-    return clock_.run("surface", [&] {
-      return without_overlaps(
-          mesh_imprinted_boundary(model_, scheme_, imprint, counts, intervals_, kind_, context_));
-    });
-  }
-
-  BoundaryMesh between_shells() {
+  CapMatch matched(double merge_fraction) {
     context_.report(0.05, "Matching sources and targets");
-    const Shell shell =
-        clock_.run("imprint", [&] { return find_shell(model_, scheme_, context_); });
+    return clock_.run("imprint", [&] {
+      return match_caps(model_, scheme_, {intervals_.size, merge_fraction}, context_);
+    });
+  }
+
+  BoundaryMesh over(const CapMatch& match) {
     context_.report(0.1, "Choosing intervals");
-    const ShellCounts counts = clock_.run(
-        "intervals", [&] { return count_shell(model_, scheme_, shell, intervals_, context_); });
+    const PieceCounts counts = clock_.run(
+        "intervals", [&] { return count_edges(model_, scheme_, match, intervals_, context_); });
     out_.intervals = counts.intervals;
     context_.report(0.2, "Meshing the surface");
     return clock_.run("surface", [&] {
       return without_overlaps(
-          mesh_shell_boundary(model_, scheme_, shell, counts, intervals_, kind_, context_));
+          mesh_matched(model_, scheme_, match, counts, intervals_, kind_, context_));
     });
   }
 
@@ -168,7 +134,22 @@ class SchemeMesher {
 
 SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                        double size, StageClock& clock, Context& context) {
-  return SchemeMesher(model, scheme, options, size, clock, context).run();
+  try {
+    return SchemeMesher(model, scheme, options, size, clock, context).run();
+  } catch (const SolverError& e) {
+    if (!e.entities().empty()) throw;
+    throw SolverError(e.stage(), e.what(), caps_of(scheme));  // it knows of numbers only
+  }
+}
+
+BoundaryMesh mesh_matched(const Model& model, const Scheme& scheme, const CapMatch& match,
+                          const PieceCounts& counts, const IntervalOptions& options, CellKind kind,
+                          Context& context) {
+  if (const auto* shell = std::get_if<Shell>(&match))
+    return mesh_shell_boundary(model, scheme, *shell, counts, options, kind, context);
+  if (const auto* imprint = std::get_if<Imprint>(&match))
+    return mesh_imprinted_boundary(model, scheme, *imprint, counts, options, kind, context);
+  return mesh_boundary(model, scheme, counts.intervals, options, kind, context);
 }
 
 BoundaryMesh without_overlaps(BoundaryMesh boundary) {
@@ -199,12 +180,8 @@ SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Inter
 }
 
 CellKind cells_of(ElementKind element) {
-  return element == ElementKind::hex ? CellKind::quad : CellKind::triangle;
-}
-
-bool is_one_to_one(const Scheme& scheme) {
-  return scheme.faces_with(FaceRole::source).size() == 1 &&
-         scheme.faces_with(FaceRole::target).size() == 1;
+  if (element == ElementKind::hex) return CellKind::quad;
+  return element == ElementKind::prism ? CellKind::triangle : CellKind::polygon;
 }
 
 }  // namespace sweepmesh

@@ -7,6 +7,7 @@
 
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/pipeline/boundary.h"
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/stage_clock.h"
 #include "sweepmesh/pipeline/sweep_options.h"
 #include "sweepmesh/volume/volume_mesh.h"
@@ -25,6 +26,10 @@ SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOpti
                        double size, StageClock& clock, Context& context);
 
 // Its steps, for solids that are meshed together.
+/// Grids on the linking faces and meshes of the caps. Throws the surface stage's errors.
+BoundaryMesh mesh_matched(const Model& model, const Scheme& scheme, const CapMatch& match,
+                          const PieceCounts& counts, const IntervalOptions& options, CellKind kind,
+                          Context& context);
 /// The same mesh; throws InvalidMeshError where cells of caps lie over each other.
 BoundaryMesh without_overlaps(BoundaryMesh boundary);
 /// The volume within a boundary; the meshes of the faces `held` stay as they are.
@@ -33,7 +38,5 @@ SchemeMesh fill_boundary(const Model& model, const BoundaryMesh& boundary, Inter
                          StageClock& clock, Context& context);
 /// The cells of caps.
 CellKind cells_of(ElementKind element);
-
-bool is_one_to_one(const Scheme& scheme);
 
 }  // namespace sweepmesh

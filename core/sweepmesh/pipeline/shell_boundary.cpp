@@ -59,7 +59,7 @@ int nearest_turn(const std::vector<NodeId>& high, const std::vector<NodeId>& low
 class ShellMesher {
  public:
   ShellMesher(const Model& model, const Scheme& scheme, const Shell& shell,
-              const ShellCounts& counts, const IntervalOptions& options, CellKind kind,
+              const PieceCounts& counts, const IntervalOptions& options, CellKind kind,
               Context& context)
       : model_(model),
         scheme_(scheme),
@@ -254,7 +254,7 @@ class ShellMesher {
   const Model& model_;
   const Scheme& scheme_;
   const Shell& shell_;
-  const ShellCounts& counts_;
+  const PieceCounts& counts_;
   const IntervalOptions& options_;
   const CellKind kind_;
   Context& context_;
@@ -268,7 +268,7 @@ class ShellMesher {
 }  // namespace
 
 BoundaryMesh mesh_shell_boundary(const Model& model, const Scheme& scheme, const Shell& shell,
-                                 const ShellCounts& counts, const IntervalOptions& options,
+                                 const PieceCounts& counts, const IntervalOptions& options,
                                  CellKind kind, Context& context) {
   return ShellMesher(model, scheme, shell, counts, options, kind, context).run();
 }

@@ -13,7 +13,7 @@ namespace sweepmesh {
 /// surface stage throws, and InvalidMeshError where the columns of a linking face do not lead from
 /// an edge to its image, naming both.
 BoundaryMesh mesh_shell_boundary(const Model& model, const Scheme& scheme, const Shell& shell,
-                                 const ShellCounts& counts, const IntervalOptions& options,
+                                 const PieceCounts& counts, const IntervalOptions& options,
                                  CellKind kind, Context& context);
 
 }  // namespace sweepmesh

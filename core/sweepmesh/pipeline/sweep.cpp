@@ -9,12 +9,16 @@
 #include <utility>
 
 #include "sweepmesh/imprint/imprint.h"
+#include "sweepmesh/pipeline/cad_angles.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
 #include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/pipeline/scheme_mesh.h"
 
 namespace sweepmesh {
 namespace {
+
+constexpr double kPoor = 0.2;  ///< scaled Jacobian
+constexpr auto kWishedSize = std::span(kSizeShares).first(1);
 
 std::string caps_of(const Scheme& scheme) {
   const auto listed = [&](FaceRole role) {
@@ -52,6 +56,21 @@ std::string text_of(double size) {
   return text;
 }
 
+double least_of(const VolumeMesh& mesh, const Context& context) {
+  return std::ranges::min(scaled_jacobians(mesh, context));
+}
+
+/// Another scheme must be worth that it was not the first choice.
+bool is_clearly_better(double least, double than) {
+  constexpr double clearly = 0.1;
+  return least > than + clearly;
+}
+
+bool is_worth_another_try(double least, const VolumeMesh& mesh) {
+  constexpr std::size_t most_elements = 30000;
+  return least < kPoor && mesh.hexahedra.size() + mesh.prisms.size() < most_elements;
+}
+
 /// Meshes one of the schemes of `result.assessment` into `result`.
 class SchemeTrier {
  public:
@@ -61,7 +80,7 @@ class SchemeTrier {
 
   /// As with_some_scheme, and where that fails with other sizes near the wished one: then
   /// nodes lie elsewhere, and narrow places get other numbers of cells. `shares` of the wished
-  /// size, that first. The first failure counts.
+  /// size, that first. The first failure counts. least() is then the least scaled Jacobian.
   bool at_some_size(std::span<const double> shares = kSizeShares) {
     const SweepResult begun = result_;
     std::optional<Assessment> refused;
@@ -81,8 +100,11 @@ class SchemeTrier {
         if (!refused && !first_error) refused = result_.assessment;
       } catch (const Cancelled&) {
         throw;
-      } catch (const SolverError&) {
-        if (!refused && !first_error) throw;
+      } catch (const SolverError& e) {
+        if (!refused && !first_error) {
+          if (e.stage() != "surface") throw;  // what hangs on the numbers alone fails again
+          first_error = std::current_exception();
+        }
       } catch (const Error&) {
         if (!refused && !first_error) first_error = std::current_exception();
       }
@@ -93,22 +115,32 @@ class SchemeTrier {
     return false;
   }
 
+  double least() const { return least_; }
+
  private:
-  /// Meshes the schemes in their order until one succeeds; that one is moved to the front, and a
-  /// warning tells of those before it. False: the solid turned out not to be sweepable, see the
-  /// assessment. Throws the first scheme's error where all fail otherwise.
+  /// Meshes the schemes in their order until one succeeds with elements that are not poor, or a
+  /// mesh so large that another try would cost more than it is worth; of several meshes the best
+  /// counts. Its scheme is moved to the front, and a warning tells of those before it that failed.
+  /// False: the solid turned out not to be sweepable, see the assessment. Throws the first scheme's
+  /// error where all fail otherwise.
   bool with_some_scheme() {
     auto& schemes = result_.assessment.schemes;
     std::exception_ptr first_error;
     std::optional<InvalidMeshError> fold;
+    std::optional<std::size_t> best;
     for (const std::size_t s : tries(schemes.size())) try {
         if (hopeless_.contains(s)) continue;
-        take(mesh_scheme(model_, schemes[s], options_, result_.size, clock_, context_));
-        std::rotate(schemes.begin(), schemes.begin() + s, schemes.begin() + s + 1);
-        return true;
+        SchemeMesh made = mesh_scheme(model_, schemes[s], options_, result_.size, clock_, context_);
+        const double least = least_of(made.mesh, context_);
+        if (best && !is_clearly_better(least, least_)) continue;
+        best = s;
+        least_ = least;
+        made_ = std::move(made);
+        if (!is_worth_another_try(least_, made_.mesh)) break;
       } catch (const Cancelled&) {
         throw;
       } catch (const Error& error) {
+        if (best) continue;
         if (!first_error) first_error = std::current_exception();
         if (is_final(error)) hopeless_.insert(s);
         const auto* invalid = dynamic_cast<const InvalidMeshError*>(&error);
@@ -116,6 +148,11 @@ class SchemeTrier {
         result_.warnings.push_back("The sweep from " + caps_of(schemes[s]) +
                                    " could not be meshed: " + error.what());
       }
+    if (best) {
+      take(std::move(made_));
+      std::rotate(schemes.begin(), schemes.begin() + *best, schemes.begin() + *best + 1);
+      return true;
+    }
     if (!fold) std::rethrow_exception(first_error);
     result_.assessment = folded(*fold);
     result_.warnings.clear();
@@ -139,6 +176,8 @@ class SchemeTrier {
   StageClock& clock_;
   Context& context_;
   SweepResult& result_;
+  SchemeMesh made_;
+  double least_ = 0.0;              ///< scaled Jacobian of made_
   std::set<std::size_t> hopeless_;  ///< schemes that failed whatever the size (is_final)
 };
 
@@ -147,26 +186,46 @@ bool names_parts(const std::string& warning) {
   return warning.starts_with("The sweep from ");
 }
 
-/// Meshes the solid divided along its rounds, where that can be swept. False: the assessment stays
-/// that of the whole solid.
-bool mesh_divided(const Model& model, const Picks& picks, const SweepOptions& options,
-                  Strain strain, StageClock& clock, Context& context, SweepResult& result) {
-  if (!may_be_divided(result.assessment)) return false;
-  auto divided =
-      clock.run("assess", [&] { return divide_to_sweep(model, picks, options, strain, context); });
-  if (!divided) return false;
-  const DividedModel& parts = divided->parts;
+/// A solid that was divided, and the mesh of its parts.
+struct DividedMesh {
+  DividedSweep divided;
   SweepResult part;
-  part.assessment = divided->assessment;
-  part.size = result.size;
-  try {
-    if (!SchemeTrier(parts.model, divided->options, clock, context, part).at_some_size())
-      return false;
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error&) {
-    return false;
+  double least;  ///< scaled Jacobian
+};
+
+/// Empty where it cannot be meshed.
+std::optional<DividedMesh> mesh_parts(DividedSweep divided, std::span<const double> shares,
+                                      double size, StageClock& clock, Context& context) try {
+  SweepResult part;
+  part.assessment = divided.assessment;
+  part.size = size;
+  SchemeTrier trier(divided.parts.model, divided.options, clock, context, part);
+  if (!trier.at_some_size(shares)) return {};
+  return DividedMesh{std::move(divided), std::move(part), trier.least()};
+} catch (const Cancelled&) {
+  throw;
+} catch (const Error&) {
+  return {};
+}
+
+/// Meshes the solid divided along its rounds, where that can be swept. Where elements are poor, it
+/// is divided as its other schemes ask for. False: the assessment stays that of the whole solid.
+bool mesh_divided(const Model& model, RoundDivision& division, Strain strain, StageClock& clock,
+                  Context& context, SweepResult& result) {
+  if (!may_be_divided(result.assessment)) return false;
+  auto divided = clock.run("assess", [&] { return division.to_sweep(strain, context); });
+  const auto next = [&] {
+    return clock.run("assess", [&] { return division.other(strain, context); });
+  };
+  if (!divided) return false;
+  auto best = mesh_parts(std::move(*divided), kSizeShares, result.size, clock, context);
+  if (!best) return false;
+  while (is_worth_another_try(best->least, best->part.mesh) && (divided = next())) {
+    auto other = mesh_parts(std::move(*divided), kWishedSize, result.size, clock, context);
+    if (other && is_clearly_better(other->least, best->least)) best = std::move(other);
   }
+  const DividedModel& parts = best->divided.parts;
+  SweepResult& part = best->part;
   result.assessment = of_whole(model, parts, part.assessment);
   result.intervals = of_whole(model, parts, part.intervals);
   result.mesh = of_whole(parts, std::move(part.mesh));
@@ -187,8 +246,7 @@ bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& 
   });
   if (!strained.assessment.is_sweepable()) return false;
   try {
-    if (!SchemeTrier(model, options, clock, context, strained)
-             .at_some_size(std::span(kSizeShares).first(1)))
+    if (!SchemeTrier(model, options, clock, context, strained).at_some_size(kWishedSize))
       return false;
   } catch (const Cancelled&) {
     throw;
@@ -205,8 +263,9 @@ bool mesh_strained(const Model& model, const SweepOptions& options, StageClock& 
 /// The solid as it is or, where that cannot be swept or meshed, divided. False: it cannot be swept.
 bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions& options,
                       StageClock& clock, Context& context, SweepResult& result) {
+  RoundDivision division(model, picks, options);
   const auto divided = [&](Strain strain) {
-    return mesh_divided(model, picks, options, strain, clock, context, result);
+    return mesh_divided(model, division, strain, clock, context, result);
   };
   if (!result.assessment.is_sweepable())
     return divided(Strain::refused) || mesh_strained(model, options, clock, context, result) ||
@@ -249,6 +308,11 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });
+  if (result.quality.scaled_jacobian.min < kPoor) {
+    const auto angles =
+        poor_cad_angles(model, result.assessment.schemes.front(), result.mesh, kPoor, context);
+    if (!angles.empty()) result.warnings.push_back(warning_of(angles));
+  }
   context.report(1.0, "Done");
   return result;
 }

@@ -28,7 +28,8 @@ struct SweepResult {
 
 /// Decides (or takes from `picks`) sources and targets, meshes caps and linking faces, and places
 /// the interior. Where the best scheme cannot be meshed, the next ones are tried; the one that was
-/// used is the first of result.assessment.schemes, and a warning tells of the others. Where none
+/// used is the first of result.assessment.schemes, and a warning tells of the others; where its
+/// elements are poor the others are meshed too, and the best mesh is taken. Where none
 /// can, sizes near the wished one are tried too (down to 0.7 of it), with a warning. Throws the
 /// stages' errors; a solid that cannot be swept is a normal result with reasons, and so is one
 /// whose elements stay inverted wherever the inner nodes are put (a geometric reason, no mesh).

@@ -55,8 +55,8 @@ void check_options(const SweepOptions& options) {
       !(std::isfinite(*options.imprint_tolerance) && *options.imprint_tolerance >= 0))
     refuse("The imprint tolerance must be a number that is not negative.");
   if (options.max_elements < 1) refuse("The limit of elements must be at least 1.");
-  if (options.element == ElementKind::polyhedron)
-    refuse("Polyhedral sweeps are not served yet; choose hexahedra or prisms.");
+  if (options.element == ElementKind::polyhedron && options.order == 2)
+    refuse("Polyhedra have no second order; choose order 1, or hexahedra or prisms.");
 }
 
 void check_picks(const Picks& picks) {

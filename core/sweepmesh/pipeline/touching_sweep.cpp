@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
 #include "sweepmesh/pipeline/joint_sweep.h"
 #include "sweepmesh/pipeline/merge_meshes.h"

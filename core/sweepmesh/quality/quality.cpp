@@ -33,22 +33,28 @@ struct Corners {
 struct MeshElements {
   const VolumeMesh& mesh;
 
-  long size() const { return static_cast<long>(mesh.hexahedra.size() + mesh.prisms.size()); }
+  long size() const { return mesh.n_elements(); }
 
   template <class F>
   void visit(long begin, long end, F&& f) const {
     Corners corners;
     const long n_hexes = static_cast<long>(mesh.hexahedra.size());
+    const long n_simple = n_hexes + static_cast<long>(mesh.prisms.size());
     for (long e = begin; e < end; ++e) {
       if (e < n_hexes)
         gather(mesh.hexahedra[e].data(), 4, corners);
-      else
+      else if (e < n_simple)
         gather(mesh.prisms[e - n_hexes].data(), 3, corners);
+      else
+        gather(mesh.polyhedron(static_cast<int>(e - n_simple)), corners);
       f(e, corners);
     }
   }
 
  private:
+  void gather(std::span<const int> rings, Corners& corners) const {
+    gather(rings.data(), static_cast<int>(rings.size()) / 2, corners);
+  }
   void gather(const int* nodes, int n, Corners& corners) const {
     corners.resize(n);
     for (int i = 0; i < n; ++i) {

@@ -2,8 +2,8 @@
 //
 // The measures are those of base/element_quality.h (Verdict's scaled Jacobian and edge ratio, skew,
 // volume). Two meshes can be measured: a VolumeMesh, and an Extrusion with its points, for which no
-// connectivity is built. Elements are numbered hexahedra first, then prisms, in a VolumeMesh; cell
-// by cell, from the lowest layer up, in an Extrusion.
+// connectivity is built. Elements are numbered hexahedra first, then prisms, then polyhedra, in a
+// VolumeMesh; cell by cell, from the lowest layer up, in an Extrusion.
 //
 // Cost: linear, threaded; the result does not depend on the number of threads.
 #pragma once

@@ -1,191 +1,30 @@
 #include "sweepmesh/scheme/assess.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <tuple>
 
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/scheme/distortion.h"
+#include "sweepmesh/scheme/graded_search.h"
 #include "sweepmesh/scheme/pairs.h"
 #include "sweepmesh/scheme/prismatic.h"
+#include "sweepmesh/scheme/ranking.h"
 #include "sweepmesh/scheme/reasons.h"
-#include "sweepmesh/scheme/role_search.h"
 #include "sweepmesh/scheme/to_scheme.h"
-#include "sweepmesh/scheme/vertex_types.h"
 
 namespace sweepmesh {
 
 namespace {
 
-/// Costs up to which schemes are looked for, one after the other until one is found: with a low
-/// limit most choices are ruled out at once.
-constexpr std::array kCostLimits = {2.0, 4.0, 8.0, 16.0, 64.0, kImpossible};
-
-/// Schemes that cost so much more than the best are offered too.
-constexpr double kOffered = 2.0;
-
-int index_of(const SweepProblem& problem, FaceId id) {
-  const auto at = std::ranges::find(problem.faces, id, &ProblemFace::id);
-  if (at == problem.faces.end())
-    throw InputError("assess", name_of(id) + " is not a face of this solid.", {name_of(id)});
-  return static_cast<int>(at - problem.faces.begin());
-}
-
-/// Throws where a vertex is given two types on one face, or a type on a face that is picked as a
-/// cap.
-void check_types(const Picks& picks) {
-  std::set<FaceId> caps(picks.sources.begin(), picks.sources.end());
-  caps.insert(picks.targets.begin(), picks.targets.end());
-  for (const auto& [source, target] : picks.pairs) caps.insert({source, target});
-  std::map<std::pair<FaceId, VertexId>, VertexType> seen;
-  for (const TypePick& pick : picks.types) {
-    const std::string face = name_of(pick.face), vertex = name_of(pick.vertex);
-    const VertexType other = seen.try_emplace({pick.face, pick.vertex}, pick.type).first->second;
-    if (other != pick.type)
-      throw InputError("assess",
-                       vertex + " of " + face + " is given as " + name_of(other) + " and as " +
-                           name_of(pick.type) + ".",
-                       {vertex, face});
-    if (caps.contains(pick.face))
-      throw InputError("assess",
-                       vertex + " is given a vertex type on " + face +
-                           ", which is picked as a source or target: only linking faces have "
-                           "vertex types.",
-                       {vertex, face});
-  }
-}
-
-std::vector<FixedCorner> fixed_corners(const SweepProblem& problem,
-                                       const std::vector<TypePick>& types) {
-  std::vector<FixedCorner> out;
-  for (const TypePick& pick : types) {
-    const int face = index_of(problem, pick.face), first = problem.first_coedge(face);
-    const std::size_t n_before = out.size();
-    for (int c = first; c < first + problem.n_coedges(face); ++c)
-      if (problem.coedges[c].end == pick.vertex.index) out.push_back({c, pick.type});
-    if (out.size() == n_before)
-      throw InputError("assess",
-                       name_of(pick.vertex) + " is not a vertex of " + name_of(pick.face) + ".",
-                       {name_of(pick.vertex), name_of(pick.face)});
-  }
-  return out;
-}
-
-/// A picked face and the states that it may have.
-using Pick = std::pair<FaceId, StateSet>;
-
-std::vector<Pick> all_picks(const Picks& picks) {
-  std::vector<Pick> out;
-  for (FaceId id : picks.sources) out.emplace_back(id, kSourceStates);
-  for (FaceId id : picks.targets) out.emplace_back(id, kTargetStates);
-  for (const auto& [source, target] : picks.pairs) {
-    out.emplace_back(source, kSourceStates);
-    out.emplace_back(target, kTargetStates);
-  }
-  std::ranges::sort(out);
-  out.erase(std::ranges::unique(out).begin(), out.end());
-  return out;
-}
-
-/// The picked caps, and every face with a picked vertex type as a linking face.
-std::vector<Pick> with_types(std::vector<Pick> caps, const std::vector<TypePick>& types) {
-  for (const TypePick& pick : types) caps.emplace_back(pick.face, kLinkingStates);
-  return caps;
-}
-
-bool is_cap(const Pick& pick) {
-  return pick.second != kLinkingStates;
-}
-
-Choices start_of(const Network& network, const std::vector<Pick>& picks) {
-  Choices out = open_choices(network);
-  std::vector<int> touched;
-  for (const auto& [id, states] : picks)
-    set_role(network, out, index_of(network.problem, id), states, touched);
-  return out;
-}
-
-/// Raises the limit of cost until something is found, then looks once more for what is nearly as
-/// good.
-SearchResult search(const Network& network, const std::vector<Pick>& picks, Context& context,
-                    SearchOptions options = {}) {
-  const Choices start = start_of(network, picks);
-  options.is_symmetric = std::ranges::none_of(picks, is_cap);
-  SearchResult result;
-  for (double limit : kCostLimits) {
-    options.max_cost = limit;
-    result = search_divisions(network, start, options, context);
-    options.max_effort -= result.effort;
-    if (!result.divisions.empty() || options.max_effort <= 0) break;
-  }
-  if (result.divisions.empty() || options.max_effort <= 0) return result;
-  options.max_cost = std::max(options.max_cost, result.divisions.front().cost + kOffered);
-  SearchResult wider = search_divisions(network, start, options, context);
-  return wider.is_complete ? wider : result;
-}
-
-int count(const Division& division, StateSet role) {
-  return static_cast<int>(
-      std::count(division.choices.role.begin(), division.choices.role.end(), role));
-}
-
-std::size_t n_caps(const Scheme& scheme) {
-  return scheme.faces_with(FaceRole::source).size() + scheme.faces_with(FaceRole::target).size();
-}
-
-bool has_picked(const std::vector<Pick>& picks, StateSet role) {
-  return std::ranges::any_of(picks, [&](const Pick& p) { return p.second == role; });
-}
-
-/// Caps that were not picked, where sources and targets were; else 0.
-int n_unasked_caps(const Division& division, const std::vector<Pick>& picks) {
-  if (!has_picked(picks, kSourceStates) || !has_picked(picks, kTargetStates)) return 0;
-  return count(division, kSourceStates) + count(division, kTargetStates) -
-         static_cast<int>(picks.size());
-}
-
-/// Best first. Where nothing tells sources and targets apart (no picks), the more are the sources.
-std::vector<Scheme> ranked(const Model& model, const Network& network,
-                           std::vector<Division> divisions, const std::vector<Pick>& picks) {
-  std::vector<std::tuple<bool, Rank, std::size_t>> order;
-  std::vector<Scheme> schemes;
-  for (Division& d : divisions) {
-    if (picks.empty() && count(d, kSourceStates) < count(d, kTargetStates)) turn_over(d);
-    Scheme scheme = to_scheme(network, d, model.n_faces(), model.n_edges());
-    scheme.cost += sweep_distortion(model, scheme);
-    Rank rank = rank_of(network, d);
-    rank.cost = scheme.cost;
-    order.emplace_back(n_unasked_caps(d, picks) > 0, rank, schemes.size());
-    schemes.push_back(std::move(scheme));
-  }
-  std::ranges::sort(order, [](const auto& a, const auto& b) {
-    return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
-  });
-  std::vector<Scheme> out;
-  for (const auto& [is_unasked, rank, s] : order) out.push_back(std::move(schemes[s]));
-  return out;
-}
-
-/// Whether two schemes have the same caps, be it upside down.
-bool has_same_caps(const Scheme& a, const Scheme& b) {
-  for (std::size_t f = 0; f < a.face_role.size(); ++f)
-    if ((a.face_role[f] == FaceRole::linking) != (b.face_role[f] == FaceRole::linking))
-      return false;
-  return true;
-}
-
 /// The picks without each of which the others can be met; all where no single one is to blame.
 std::vector<FaceId> blamed_picks(const Network& network, const std::vector<Pick>& picks,
-                                 Context& context) {
+                                 SearchBudget& budget, Context& context) {
   std::vector<FaceId> blamed, all;
-  SearchOptions brief;
-  brief.max_effort /= 4 * static_cast<long>(picks.size());
+  const double share = 1.0 / static_cast<double>(picks.size());
   for (std::size_t i = 0; i < picks.size(); ++i) {
     std::vector<Pick> others = picks;
     others.erase(others.begin() + i);
     all.push_back(picks[i].first);
-    if (!others.empty() && !search(network, others, context, brief).divisions.empty())
+    if (!others.empty() &&
+        !graded_search(network, others, budget, context, share).divisions.empty())
       blamed.push_back(picks[i].first);
   }
   return blamed.empty() ? all : blamed;
@@ -259,7 +98,7 @@ class Assessor {
   }
 
   std::optional<Assessment> try_with(const Network& network, const std::vector<Pick>& picks) {
-    SearchResult result = search(network, picks, context_);
+    SearchResult result = graded_search(network, picks, budget_, context_);
     if (result.divisions.empty()) {
       is_strict_complete_ |= result.is_complete;
       if (result.rejections.walls) opposed_ = reason_of_walls(network, *result.rejections.walls);
@@ -335,7 +174,7 @@ class Assessor {
   bool can_hold(const std::vector<TypePick>& types) {
     const Network network =
         make_network(problem_, lenient_limits(), fixed_corners(problem_, types));
-    return !search(network, with_types(chosen_, types), context_).divisions.empty();
+    return !graded_search(network, with_types(chosen_, types), budget_, context_).divisions.empty();
   }
 
   /// Drops each type that is not needed for the contradiction. Empty where the types are not at
@@ -352,7 +191,7 @@ class Assessor {
   }
 
   Assessment refuse(const Network& lenient) {
-    SearchResult result = search(lenient, {}, context_);
+    SearchResult result = graded_search(lenient, {}, budget_, context_);
     result.is_complete |= is_strict_complete_;
     if (!result.divisions.empty()) {
       Assessment out{{}, {angle_reason(lenient, result.divisions.front())}};
@@ -368,9 +207,8 @@ class Assessor {
       std::vector<Pick> picks;
       for (FaceId id : caps.along) picks.emplace_back(id, kSourceStates);
       for (FaceId id : caps.against) picks.emplace_back(id, kTargetStates);
-      SearchOptions brief;
-      brief.max_effort /= 8;
-      std::ranges::move(search(lenient, picks, context_, brief).divisions,
+      constexpr double brief = 0.25;
+      std::ranges::move(graded_search(lenient, picks, budget_, context_, brief).divisions,
                         std::back_inserter(divisions));
     }
     std::vector<Scheme> out;
@@ -381,19 +219,20 @@ class Assessor {
   }
 
   Assessment refuse_picks(const Network& strict, const Network& lenient) {
-    SearchResult free = search(strict, {}, context_);
+    SearchResult free = graded_search(strict, {}, budget_, context_);
     if (free.divisions.empty()) return refuse(lenient);
-    return {
-        {},
-        {pick_reason(strict, blamed_picks(lenient, chosen_, context_), free.divisions.front())}};
+    return {{},
+            {pick_reason(strict, blamed_picks(lenient, chosen_, budget_, context_),
+                         free.divisions.front())}};
   }
 
   const Model& model_;
   const Picks& picks_;
   Context& context_;
   SweepProblem problem_;
-  std::vector<Pick> chosen_;         ///< caps
-  std::vector<Pick> asked_;          ///< and the faces with vertex types
+  std::vector<Pick> chosen_;  ///< caps
+  std::vector<Pick> asked_;   ///< and the faces with vertex types
+  SearchBudget budget_;
   bool is_strict_complete_ = false;  ///< some search proved that there is nothing
   std::optional<Reason> opposed_;    ///< found within the strict limits, but for walls
 };

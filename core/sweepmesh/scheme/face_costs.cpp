@@ -20,13 +20,15 @@ double frame_error(double heading, double frame, int direction) {
 class FaceSolver {
  public:
   FaceSolver(const SweepProblem& problem, int face, const std::vector<StateCosts>& coedge_cost,
-             const std::vector<std::array<double, 4>>& corner_cost, const Preferences& preferences)
+             const std::vector<std::array<double, 4>>& corner_cost, const Preferences& preferences,
+             double limit)
       : problem_(problem),
         face_(problem.faces[face]),
         first_(problem.first_coedge(face)),
         coedge_cost_(coedge_cost),
         corner_cost_(corner_cost),
-        preferences_(preferences) {
+        preferences_(preferences),
+        limit_(limit) {
     StateCosts none;
     none.fill(kImpossible);
     out_.marginal.assign(coedge_cost.size(), none);
@@ -61,14 +63,14 @@ class FaceSolver {
       std::vector<LoopProgram> programs;
       for (std::size_t l = 0; l < n_loops; ++l)
         programs.push_back(in_frame(l, frame - turn * kQuarterTurn));
-      merge(programs, 0.0);
+      merge(std::move(programs), 0.0);
     }
     for (std::size_t hole = 1; hole < n_loops; ++hole)
       for (Direction outer : {Direction::plus_i, Direction::minus_i}) {
         std::vector<LoopProgram> programs = {around(0, outer)};
         for (std::size_t l = 1; l < n_loops; ++l)
           programs.push_back(l == hole ? around(l, opposite(outer)) : program(l, -4));
-        merge(programs, preferences_.per_annulus);
+        merge(std::move(programs), preferences_.per_annulus);
       }
   }
 
@@ -126,13 +128,14 @@ class FaceSolver {
   }
 
   /// Lowers the marginals to what one choice of sums and frame allows, which costs `sum` by itself.
-  void merge(const std::vector<LoopProgram>& programs, double sum) {
+  void merge(std::vector<LoopProgram> programs, double sum) {
     std::vector<LoopMarginals> loops;
-    for (const LoopProgram& p : programs) {
+    for (LoopProgram& p : programs) {
+      p.limit = limit_ - sum;
       loops.push_back(loop_marginals(p));
       sum += loops.back().best;
       out_.work += loops.back().work;
-      if (sum == kImpossible) return;
+      if (!(sum <= limit_ && sum < kImpossible)) return;
     }
     out_.best = std::min(out_.best, sum);
     std::size_t c = 0;
@@ -150,6 +153,7 @@ class FaceSolver {
   const std::vector<StateCosts>& coedge_cost_;
   const std::vector<std::array<double, 4>>& corner_cost_;
   const Preferences& preferences_;
+  double limit_;
   FaceCosts out_;
 };
 
@@ -166,8 +170,8 @@ double FaceCosts::of_role(FaceRole role) const {
 FaceCosts face_costs(const SweepProblem& problem, int face,
                      const std::vector<StateCosts>& coedge_cost,
                      const std::vector<std::array<double, 4>>& corner_cost,
-                     const Preferences& preferences) {
-  return FaceSolver(problem, face, coedge_cost, corner_cost, preferences).solve();
+                     const Preferences& preferences, double limit) {
+  return FaceSolver(problem, face, coedge_cost, corner_cost, preferences, limit).solve();
 }
 
 }  // namespace sweepmesh

@@ -33,11 +33,11 @@ struct FaceCosts {
 /// - one frame: the i direction of a hole is that of the outer loop, carried over by the headings.
 /// It may be off by up to
 ///   75 degrees, more than half a quarter turn, as edges are bent.
-/// A face with a pole is no linking face. Exact for these rules. In an annulus a loop that turns
-/// back on itself in i is not considered.
+/// What costs more than `limit` may be infinite instead. A face with a pole is no linking face.
+/// Exact for these rules. In an annulus a loop that turns back on itself in i is not considered.
 FaceCosts face_costs(const SweepProblem& problem, int face,
                      const std::vector<StateCosts>& coedge_cost,
                      const std::vector<std::array<double, 4>>& corner_cost,
-                     const Preferences& preferences = {});
+                     const Preferences& preferences = {}, double limit = kImpossible);
 
 }  // namespace sweepmesh

@@ -36,6 +36,16 @@ class TurningTable {
   std::vector<double> cost_;
 };
 
+/// A range of turnings, empty at first.
+struct Reach {
+  int low = 1, high = 0;
+  void add(int turning) {
+    const bool is_empty = low > high;
+    low = is_empty ? turning : std::min(low, turning);
+    high = is_empty ? turning : std::max(high, turning);
+  }
+};
+
 class LoopSolver {
  public:
   explicit LoopSolver(const LoopProgram& loop)
@@ -48,8 +58,9 @@ class LoopSolver {
   }
 
   LoopMarginals solve() {
+    if (!ahead_.has(0, 0) || !ahead_.has(n_, loop_.sum)) return std::move(out_);
     for (int first = 0; first < 4; ++first)
-      if (loop_.direction_cost[0][first] < kInf) solve_from(first);
+      if (loop_.direction_cost[0][first] <= loop_.limit) solve_from(first);
     return std::move(out_);
   }
 
@@ -61,15 +72,16 @@ class LoopSolver {
   }
 
   void solve_from(int first) {
-    if (!ahead_.has(0, 0) || !ahead_.has(n_, loop_.sum)) return;
     ahead_.clear();
     behind_.clear();
+    reach_.assign(n_ + 1, {});
     ahead_.at(0, 0) = arrival(first, 0, 0);
     behind_.at(n_, loop_.sum) = 0.0;
+    reach_[0].add(0);
     for (int c = 0; c < n_; ++c) sweep_forward(first, c);
     for (int c = n_ - 1; c >= 0; --c) sweep_backward(first, c);
     for (int c = 0; c < n_; ++c)
-      for (int h = ahead_.lowest(c); h <= ahead_.highest(c); ++h) {
+      for (int h = reach_[c].low; h <= reach_[c].high; ++h) {
         double& best = out_.marginal[c][direction_after(first, h)];
         best = std::min(best, ahead_.at(c, h) + behind_.at(c, h));
         out_.best = std::min(out_.best, best);
@@ -77,28 +89,33 @@ class LoopSolver {
   }
 
   void sweep_forward(int first, int c) {
-    for (int h = ahead_.lowest(c); h <= ahead_.highest(c); ++h) {
-      if (ahead_.at(c, h) == kInf) continue;
+    for (int h = reach_[c].low; h <= reach_[c].high; ++h) {
+      const double here = ahead_.at(c, h);
+      if (here == kInf) continue;
       out_.work += 4;
       for (int t = 0; t < 4; ++t) {
         const int next = h + static_cast<int>(kTypes[t]);
         if (!ahead_.has(c + 1, next)) continue;
-        const double cost = ahead_.at(c, h) + loop_.type_cost[c][t] + arrival(first, c + 1, next);
-        ahead_.at(c + 1, next) = std::min(ahead_.at(c + 1, next), cost);
+        const double cost = here + loop_.type_cost[c][t] + arrival(first, c + 1, next);
+        if (!(cost <= loop_.limit && cost < kInf)) continue;
+        double& there = ahead_.at(c + 1, next);
+        there = std::min(there, cost);
+        reach_[c + 1].add(next);
       }
     }
   }
 
   /// behind(c, h): cost of everything after coedge c, its own corner included.
   void sweep_backward(int first, int c) {
-    for (int h = ahead_.lowest(c); h <= ahead_.highest(c); ++h) {
+    for (int h = reach_[c].low; h <= reach_[c].high; ++h) {
       if (ahead_.at(c, h) == kInf) continue;
+      double& here = behind_.at(c, h);
       for (int t = 0; t < 4; ++t) {
         const int next = h + static_cast<int>(kTypes[t]);
         if (!ahead_.has(c + 1, next)) continue;
         const double cost =
             behind_.at(c + 1, next) + loop_.type_cost[c][t] + arrival(first, c + 1, next);
-        behind_.at(c, h) = std::min(behind_.at(c, h), cost);
+        here = std::min(here, cost);
       }
     }
   }
@@ -106,6 +123,7 @@ class LoopSolver {
   const LoopProgram& loop_;
   int n_;
   TurningTable ahead_, behind_;
+  std::vector<Reach> reach_;  ///< by coedge: turnings with a path from coedge 0 below the limit
   LoopMarginals out_;
 };
 

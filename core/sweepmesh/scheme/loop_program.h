@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "sweepmesh/scheme/limits.h"
@@ -18,6 +19,8 @@ struct LoopProgram {
   std::vector<std::array<double, 4>> type_cost;
   /// What the types must add up to: 4 for an outer loop, -4 for a hole, 0 around an annulus.
   int sum = 4;
+  /// Paths that cost more are not looked at: their marginals may be infinite instead.
+  double limit = std::numeric_limits<double>::infinity();
 };
 
 /// `marginal[c][d]`: least cost of the loop when coedge c has direction d; infinite where it

@@ -44,14 +44,14 @@ StateCosts own_costs(const Network& n, const Choices& choices, int coedge) {
 
 class Propagation {
  public:
-  Propagation(const Network& n, double max_cost, Choices& choices, long& effort)
-      : n_(n), max_cost_(max_cost), choices_(choices), effort_(effort) {}
+  Propagation(const Network& n, double max_cost, Choices& choices, long& effort, long max_effort)
+      : n_(n), max_cost_(max_cost), choices_(choices), effort_(effort), max_effort_(max_effort) {}
 
   std::optional<Conflict> run(std::vector<int> touched, const Context& context) {
-    open_.insert(touched.begin(), touched.end());
-    while (!open_.empty()) {
+    for (const int face : touched) open(face);
+    while (!open_.empty() && effort_ <= max_effort_) {
       context.check("assess");
-      const int face = *open_.begin();
+      const int face = open_.begin()->second;
       open_.erase(open_.begin());
       if (!renew(face)) return Conflict{face};
     }
@@ -59,6 +59,8 @@ class Propagation {
   }
 
  private:
+  void open(int face) { open_.insert({n_.problem.n_coedges(face), face}); }
+
   bool renew(int face) {
     const int first = n_.problem.first_coedge(face), count = n_.problem.n_coedges(face);
     if (count == 0) return true;
@@ -66,7 +68,10 @@ class Propagation {
     for (int c = first; c < first + count; ++c) own.push_back(own_costs(n_, choices_, c));
     const std::vector<std::array<double, 4>> corner(n_.corner.begin() + first,
                                                     n_.corner.begin() + first + count);
-    FaceCosts costs = face_costs(n_.problem, face, own, corner, n_.preferences);
+    // What narrow() below would remove need not be found: twice its slack, to be on the safe side.
+    const double others = choices_.bound - choices_.face_bound[face];
+    const double most = max_cost_ - others + 2 * slack(max_cost_);
+    FaceCosts costs = face_costs(n_.problem, face, own, corner, n_.preferences, most);
     effort_ += costs.work + kWorkPerCoedge * count;
     if (costs.best == kImpossible) return false;
     choices_.bound += costs.best - choices_.face_bound[face];
@@ -86,7 +91,7 @@ class Propagation {
         left |= 1 << s;
     if (left == choices_.domain[coedge]) return;
     choices_.domain[coedge] = left;
-    open_.insert(n_.problem.coedges[n_.problem.coedges[coedge].partner].face);
+    open(n_.problem.coedges[n_.problem.coedges[coedge].partner].face);
   }
 
   bool narrow_role(int face, int first) {
@@ -101,7 +106,8 @@ class Propagation {
   double max_cost_;
   Choices& choices_;
   long& effort_;
-  std::set<int> open_;
+  long max_effort_;
+  std::set<std::pair<int, int>> open_;  ///< number of coedges, face
 };
 
 }  // namespace
@@ -149,8 +155,10 @@ void set_state(const Network& network, Choices& choices, int coedge, StateSet st
 }
 
 std::optional<Conflict> propagate(const Network& network, double max_cost, std::vector<int> touched,
-                                  Choices& choices, long& effort, const Context& context) {
-  return Propagation(network, max_cost, choices, effort).run(std::move(touched), context);
+                                  Choices& choices, long& effort, const Context& context,
+                                  long max_effort) {
+  return Propagation(network, max_cost, choices, effort, max_effort)
+      .run(std::move(touched), context);
 }
 
 bool is_decided(const Choices& choices) {

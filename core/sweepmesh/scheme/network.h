@@ -2,6 +2,7 @@
 // choice costs at least.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -58,9 +59,12 @@ struct Conflict {
 
 /// Removes every state that cannot be part of a completion of cost <= `max_cost`, as far as single
 /// faces tell, until nothing changes. `effort` counts the steps taken (about ten nanoseconds each).
-/// Returns the conflict where a face is left without a state. Throws Cancelled.
+/// Faces with few coedges come first. Returns the conflict where a face is left without a state;
+/// once `effort` is more than `max_effort` it ends as it stands, with more states than need be.
+/// Throws Cancelled.
 std::optional<Conflict> propagate(const Network& network, double max_cost, std::vector<int> touched,
-                                  Choices& choices, long& effort, const Context& context);
+                                  Choices& choices, long& effort, const Context& context,
+                                  long max_effort = std::numeric_limits<long>::max());
 
 /// True when each coedge has one state only.
 bool is_decided(const Choices& choices);

@@ -44,7 +44,7 @@ std::vector<std::string> neighbours(const Network& n, int face) {
 std::vector<int> cap_only_faces(const Network& n, const Context& context) {
   Choices choices = open_choices(n);
   long effort = 0;
-  propagate(n, kImpossible, all_faces(n), choices, effort, context);
+  propagate(n, kImpossible, all_faces(n), choices, effort, context, SearchOptions{}.max_effort);
   std::vector<int> out;
   for (int f : all_faces(n))
     if (!(choices.role[f] & kLinkingStates)) out.push_back(f);

@@ -34,16 +34,21 @@ class Search {
   }
 
   SearchResult over_states(Choices start) {
-    result_.conflict = propagate(n_, limit_, all_faces(n_), start, effort_, context_);
+    result_.conflict = narrowed(limit_, all_faces(n_), start);
     if (!result_.conflict) finish(start);
     result_.effort = effort_;
     return std::move(result_);
   }
 
  private:
+  std::optional<Conflict> narrowed(double limit, std::vector<int> touched, Choices& choices) {
+    return propagate(n_, limit, std::move(touched), choices, effort_, context_,
+                     options_.max_effort);
+  }
+
   void run_roles(Choices start) {
-    result_.conflict = propagate(n_, limit_, all_faces(n_), start, effort_, context_);
-    if (result_.conflict) return;
+    result_.conflict = narrowed(limit_, all_faces(n_), start);
+    if (result_.conflict || is_exhausted()) return;
     if (options_.is_symmetric) {
       from_each_seed(std::move(start));
     } else {
@@ -83,14 +88,14 @@ class Search {
       if (is_last) return;
       std::vector<int> touched;
       set_role(n_, start, seed, kLinkingStates, touched);
-      if (propagate(n_, limit_, touched, start, effort_, context_)) return;
+      if (narrowed(limit_, touched, start)) return;
     }
   }
 
   void try_role(Choices choices, int face, StateSet role) {
     std::vector<int> touched;
     set_role(n_, choices, face, role, touched);
-    if (propagate(n_, limit_, touched, choices, effort_, context_)) return;
+    if (narrowed(limit_, touched, choices)) return;
     branch_roles(choices);
   }
 
@@ -181,7 +186,7 @@ class Search {
       Choices next = choices;
       std::vector<int> touched;
       set_state(n_, next, coedge, StateSet(1 << s), touched);
-      if (!propagate(n_, states_limit_, touched, next, effort_, context_)) branch_states(next);
+      if (!narrowed(states_limit_, touched, next)) branch_states(next);
     }
   }
 

@@ -19,6 +19,11 @@ double signed_area(std::span<const Point2> loop) {
   return 0.5 * twice;
 }
 
+double regular_area(int n) {
+  if (n == 3) return 0.25 * std::sqrt(3.0);
+  return n == 4 ? 1.0 : 0.25 * n / std::tan(std::numbers::pi / n);
+}
+
 double scaled_jacobian(std::span<const Point2> points, std::span<const int> cell,
                        const Metric& metric) {
   const int n = static_cast<int>(cell.size());

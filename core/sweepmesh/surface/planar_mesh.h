@@ -42,6 +42,9 @@ std::vector<Point2> flattened(const PlanarLoops& loops);
 /// Signed area of a closed polyline, positive when counterclockwise.
 double signed_area(std::span<const Point2> loop);
 
+/// Area of the regular polygon with n sides of length 1.
+double regular_area(int n);
+
 /// Scaled Jacobian of a cell: the least, over its corners, of the cross product of the two
 /// normalised edges that leave the corner, divided by its value in the regular polygon (so a square
 /// and an equilateral triangle have 1). Negative where the cell is inverted at a corner. With a

@@ -121,8 +121,10 @@ class PairMesher {
         offer([&] { return carried_both_ways(mesh); });
     }
     // A hole that is tied to another loop by single cells cannot move: give it a ring of its own.
-    for (const PlanarMesh& mesh : direct)
-      if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
+    // Of quads, so there is none for triangles.
+    if (options_.kind != CellKind::triangle)
+      for (const PlanarMesh& mesh : direct)
+        if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
     if (!best_) throw *failure_;
     return finished();
   }
@@ -149,6 +151,7 @@ class PairMesher {
 
   PlanarMesh ringed(const PlanarMesh& mesh) const {
     const PlanarMesh more = smoothed(with_rings(mesh, first_, angles_), options_.metric, context_);
+    if (options_.kind != CellKind::quad) return more;
     return smoothed(with_regular_valences(more, angles_), options_.metric, context_);
   }
 

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "sweepmesh/numerics/cgal/constrained_delaunay.h"
 #include "sweepmesh/numerics/gmsh/gmsh.h"
+#include "sweepmesh/surface/delaunay_quads.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
+#include "sweepmesh/surface/polygon_dual.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_templates.h"
 #include "sweepmesh/surface/worst_first.h"
@@ -102,18 +105,53 @@ std::optional<PlanarMesh> unstructured(GmshAlgorithm algorithm, const Task& task
   return cleaned(*quads, task);
 }
 
+/// Whether a loop's sharper corners are at its odd nodes: those of every second node must be kept.
+bool has_odd_corners(const std::vector<Point2>& loop) {
+  const std::vector<double> angles = interior_angles({loop});
+  std::array<double, 2> turn = {0.0, 0.0};
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    turn[i % 2] += std::pow(1.0 - angles[i] / std::numbers::pi, 2);
+  return turn[1] > turn[0];
+}
+
+/// Undoes that loops began with their second node: those of `is_turned`.
+PlanarMesh turned_back(PlanarMesh mesh, const PlanarLoops& loops,
+                       const std::vector<char>& is_turned) {
+  std::vector<int> number(mesh.n_nodes());
+  std::iota(number.begin(), number.end(), 0);
+  int first = 0;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const int n = static_cast<int>(loops[l].size());
+    for (int i = 0; i < n && is_turned[l]; ++i) number[first + i] = first + (i + 1) % n;
+    first += n;
+  }
+  const std::vector<Point2> points = mesh.points;
+  for (int i = 0; i < mesh.n_nodes(); ++i) mesh.points[number[i]] = points[i];
+  for (int& node : mesh.cell_nodes) node = number[node];
+  return mesh;
+}
+
 /// Possible where every loop has an even number of edges.
 std::optional<PlanarMesh> by_halving(const Task& task) {
-  PlanarLoops half;
-  for (const auto& loop : task.loops) {
+  PlanarLoops half, whole = task.loops;
+  std::vector<char> is_turned;
+  for (auto& loop : whole) {
     if (loop.size() % 2 != 0 || loop.size() < 6) return std::nullopt;
+    is_turned.push_back(has_odd_corners(loop));
+    if (is_turned.back()) std::rotate(loop.begin(), loop.begin() + 1, loop.end());
     half.emplace_back();
     for (std::size_t i = 0; i < loop.size(); i += 2) half.back().push_back(loop[i]);
   }
   const double size = 2.0 * task.options.size;
-  return cleaned(
-      refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), task.loops),
-      task);
+  const PlanarMesh quads =
+      refined_to_quads(by_gmsh(half, GmshAlgorithm::frontal, size, true, task.context), whole);
+  return cleaned(turned_back(quads, task.loops, is_turned), task);
+}
+
+std::optional<PlanarMesh> by_delaunay(const Task& task) {
+  const auto quads = delaunay_quads(task.loops, task.options.size);
+  if (!quads) return std::nullopt;
+  return cleaned(*quads, task);
 }
 
 /// Lets one way of meshing fail, as long as another one works.
@@ -148,6 +186,8 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   }
   if (worst(out, task.options.metric) < poor) {
     try_to_add([&] { return by_halving(task); }, out, failure);
+    if (worst(out, task.options.metric) <= 0.0)
+      try_to_add([&] { return by_delaunay(task); }, out, failure);
     for (std::size_t i = 0, n = out.size(); i < n; ++i)
       out.push_back(cleaned(with_rings(out[i], task.loops, task.angles), task));
   }
@@ -156,6 +196,8 @@ std::vector<PlanarMesh> quad_candidates(const Task& task) {
   throw SolverError("surface", "No mesh of quads was found for a cap; try another element size.");
 }
 
+/// Lengths of the cells' sides: as long as the boundary's near by. Polygons of more than four sides
+/// are as large as the hexagon that is the boundary's edge wide.
 std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
   std::vector<double> sum(mesh.n_boundary, 0.0);
   std::vector<int> count(mesh.n_boundary, 0);
@@ -174,9 +216,11 @@ std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
     boundary[i] = Point2(sum[i] / std::max(1, count[i]), 0.0);
   const std::vector<Point2> all = harmonic_extension(mesh, boundary, metric);
   std::vector<double> size(mesh.n_cells(), 0.0);
-  for (int c = 0; c < mesh.n_cells(); ++c)
-    for (const int node : mesh.cell(c))
-      size[c] += all[node].x() / static_cast<double>(mesh.cell(c).size());
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const int n = static_cast<int>(mesh.cell(c).size());
+    for (const int node : mesh.cell(c)) size[c] += all[node].x() / n;
+    if (n > 4) size[c] *= std::sqrt(2.0 * regular_area(3) / regular_area(n));
+  }
   return size;
 }
 
@@ -192,8 +236,7 @@ void fit_to_area(std::vector<double>& size, const PlanarMesh& mesh, const Metric
       centre += mesh.points[node] / static_cast<double>(cell.size());
     }
     there += signed_area(corners) * (metric ? metric(centre).determinant() : 1.0);
-    const double regular_area = cell.size() == 3 ? 0.25 * std::sqrt(3.0) : 1.0;
-    wished += regular_area * size[c] * size[c];
+    wished += regular_area(static_cast<int>(cell.size())) * size[c] * size[c];
   }
   for (double& s : size) s *= std::sqrt(there / wished);
 }
@@ -240,11 +283,41 @@ std::vector<PlanarMesh> triangle_candidates(const Task& task) {
   return out;
 }
 
+/// Where a polygon stays reflex in its place: cut there, and smoothed again.
+PlanarMesh made_convex(PlanarMesh mesh, const Task& task) {
+  constexpr int max_rounds = 6;
+  const Metric& metric = task.options.metric;
+  mesh = smoothed(mesh, metric, task.context);
+  for (int r = 0; r < max_rounds && quality(mesh.points, mesh, metric).n_inverted > 0; ++r)
+    mesh = smoothed(with_reflex_corners_cut(mesh, metric), metric, task.context);
+  return mesh;
+}
+
+/// Duals of triangles, with links as the corners wish and, where these come out poor, with a link
+/// at each boundary node. Triangles where no dual is valid.
+std::vector<PlanarMesh> polygon_candidates(const Task& task) {
+  constexpr double poor = 0.3;
+  const Metric& metric = task.options.metric;
+  const std::vector<PlanarMesh> triangles = triangle_candidates(task);
+  const std::vector<int> wished = polygons_at_nodes(task.angles);
+  std::vector<int> all_linked = wished;
+  for (int& n : all_linked) n = std::max(n, 2);
+  std::vector<PlanarMesh> out;
+  for (const auto& cells : {wished, all_linked})
+    for (const PlanarMesh& mesh : triangles)
+      if (worst(out, metric) < poor)
+        if (auto dual = polygon_dual(mesh, cells))
+          out.push_back(made_convex(std::move(*dual), task));
+  if (worst(out, metric) <= 0.0) out.insert(out.end(), triangles.begin(), triangles.end());
+  return out;
+}
+
 }  // namespace
 
 double overall_quality(const PlanarMesh& mesh, const Metric& metric) {
+  constexpr double useless = 0.1, weight = 5.0;  // a cell below that spoils any mesh
   const PlanarQuality q = quality(mesh.points, mesh, metric);
-  return q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
+  return weight * std::min(q.min, useless) + q.min + 0.5 * q.mean + mean_edge_ratio(mesh, metric);
 }
 
 PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context) {
@@ -297,7 +370,15 @@ std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarM
                                          const BoundaryAngles& angles, const Context& context) {
   check_input(loops, options);
   const Task task{loops, options, angles, context};
-  return options.kind == CellKind::quad ? quad_candidates(task) : triangle_candidates(task);
+  switch (options.kind) {
+    case CellKind::quad:
+      return quad_candidates(task);
+    case CellKind::triangle:
+      return triangle_candidates(task);
+    case CellKind::polygon:
+      break;
+  }
+  return polygon_candidates(task);
 }
 
 PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options,

@@ -1,9 +1,10 @@
-// All-quad (or triangle) meshes of plane domains whose boundary edges are given.
+// Meshes of plane domains whose boundary edges are given: of quads, triangles or polygons.
 //
 // Candidates are made, smoothed and measured, and the best one is taken: structured patterns where
 // the counts admit one (quad_templates.h), and unstructured ones by Gmsh (frontal triangles paired
 // by Blossom), with leftover triangles paired and irregular nodes removed (quad_cleanup.h). Should
-// no pairing work, the domain is meshed at twice the size and every cell is cut into quads.
+// no pairing work, the domain is meshed at twice the size and every cell is cut into quads. Where
+// all of that leaves no valid mesh, a Delaunay triangulation is paired (delaunay_quads.h).
 // Smoothing is the foldover-free energy towards squares of the local boundary's edge length, so
 // what is valid stays so.
 #pragma once
@@ -13,10 +14,13 @@
 
 namespace sweepmesh {
 
-enum class CellKind { quad, triangle };
+/// Polygons are convex, most of them hexagons, with quads along straight boundaries
+/// (polygon_dual.h).
+enum class CellKind { quad, triangle, polygon };
 
 struct PlanarMeshOptions {
-  /// Wished length of inside edges, > 0. Near the boundary the boundary's own edge lengths count.
+  /// Wished length of inside edges, > 0; of polygons the width. Near the boundary the boundary's
+  /// own edge lengths count.
   double size = 1.0;
   CellKind kind = CellKind::quad;
   /// Lengths and angles on the surface that the plane stands for; they decide smoothing and choice.

@@ -41,7 +41,7 @@ std::vector<MapTriangle> weighted_corners(const PlanarMesh& mesh, const std::vec
     std::vector<Point2> corners;
     for (const int node : mesh.cell(c)) corners.push_back(points[node]);
     const double area = signed_area(corners) * root_at(mesh, points, c, metric).determinant();
-    edge[c] = std::sqrt(area / (corners.size() == 3 ? 0.25 * std::sqrt(3.0) : 1.0));
+    edge[c] = std::sqrt(area / regular_area(static_cast<int>(corners.size())));
   }
   std::vector<MapTriangle> out = corners_regular(mesh, edge);
   std::size_t corner = 0;

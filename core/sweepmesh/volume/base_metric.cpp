@@ -44,7 +44,8 @@ struct Direction {
   /// Of angles in 0 .. full turn, with equal factors.
   bool is_less_than(const Direction& o) const {
     if ((sine >= 0.0) != (o.sine >= 0.0)) return sine >= 0.0;
-    return sine >= 0.0 ? cosine > o.cosine : cosine < o.cosine;
+    const double side = sine >= 0.0 ? 1.0 : -1.0;
+    return side * cosine > side * o.cosine;
   }
 };
 
@@ -53,27 +54,32 @@ struct Direction {
 void add_quad(const PolygonMatrix& m, const Point3* p, double factor) {
   // Edge i leads from corner i to the next; the angle at a corner has the lengths of its edges as
   // factor, sums of opposite angles those of all four.
-  Point3 edge[4];
-  double length[4];
-  Direction angle[4];
-  for (int i = 0; i < 4; ++i) {
-    edge[i] = p[(i + 1) % 4] - p[i];
-    length[i] = edge[i].squaredNorm();
+  using Four = Eigen::Array4d;
+  const auto next_of = [](const Four& a) { return Four(a[1], a[2], a[3], a[0]); };
+  const auto last_of = [](const Four& a) { return Four(a[3], a[0], a[1], a[2]); };
+  Four out[3], in[3];
+  for (int d = 0; d < 3; ++d) {
+    const Four x(p[0][d], p[1][d], p[2][d], p[3][d]);
+    out[d] = next_of(x) - x;
+    in[d] = last_of(out[d]);
   }
-  for (int i = 0; i < 4; ++i) {
-    const Point3 &in = edge[(i + 3) % 4], &out = edge[i];
-    angle[i] = {in.cross(out).norm(), -in.dot(out)};
-  }
-  const int tip = (angle[0] + angle[2]).is_less_than(angle[1] + angle[3]) ? 0 : 1;
-  for (const int i : {tip, tip + 2}) {  // the triangle of corner i and its neighbours
-    const int last = (i + 3) % 4, next = (i + 1) % 4;
-    const double twice_area = angle[i].sine;
-    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * twice_area / 6.0;
-    if (!(twice_area > 0.0)) continue;
-    const double f = 0.5 * factor / twice_area;
-    m.weight(last, next) += f * angle[i].cosine;
-    m.weight(last, i) += f * (length[i] - angle[i].cosine);
-    m.weight(i, next) += f * (length[last] - angle[i].cosine);
+  const Four length = out[0] * out[0] + out[1] * out[1] + out[2] * out[2];
+  const Four a = in[1] * out[2] - in[2] * out[1], b = in[2] * out[0] - in[0] * out[2],
+             c = in[0] * out[1] - in[1] * out[0];
+  const Four sine = (a * a + b * b + c * c).sqrt();
+  const Four cosine = -(in[0] * out[0] + in[1] * out[1] + in[2] * out[2]);
+  const auto angle = [&](int i) { return Direction{sine[i], cosine[i]}; };
+  // Which it is for a square, rounding says: no branch that is foreseen half of the times.
+  const int tip = 1 - static_cast<int>((angle(0) + angle(2)).is_less_than(angle(1) + angle(3)));
+  constexpr int pair[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
+  for (int half = 0; half < 2; ++half) {  // the triangle of corner i and its neighbours
+    const int i = tip + 2 * half, last = (i + 3) % 4, next = (i + 1) % 4;
+    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * sine[i] / 6.0;
+    if (!(sine[i] > 0.0)) continue;
+    const double f = 0.5 * factor / sine[i];
+    m.pair_weight[pair[last][next]] += f * cosine[i];
+    m.pair_weight[pair[last][i]] += f * (length[i] - cosine[i]);
+    m.pair_weight[pair[i][next]] += f * (length[last] - cosine[i]);
   }
 }
 
@@ -93,6 +99,8 @@ void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metri
   const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
                            &metric.corner_mass[x.cell_offset[c]]};
   p.resize(m.n);
+  std::fill_n(m.pair_weight, m.n * (m.n - 1) / 2, 0.0);
+  std::fill_n(m.corner_mass, m.n, 0.0);
   for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
     for (int i = 0; i < m.n; ++i)
       p[i] = points.row(x.node(x.cell_columns[x.cell_offset[c] + i], k));
@@ -102,29 +110,16 @@ void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metri
     for (int j = i + 1; j < m.n; ++j) m.weight(i, j) = std::max(0.0, m.weight(i, j));
 }
 
-/// Ends of columns lie far from one another in memory: fetches those that a cell needs.
-void prefetch_cell(const Extrusion& x, const Points& points, int c) {
-#if defined(__GNUC__)
-  for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i)
-    for (const int k : {x.cell_k_low[c], x.cell_k_high[c]})
-      __builtin_prefetch(points.data() + 3 * x.node(x.cell_columns[i], k));
-#endif
-}
-
 void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, ThreadTeam& team) {
-  constexpr int n_ahead = 8;
   metric.pair_offset.reserve(x.n_cells() + 1);
   for (int c = 0; c < x.n_cells(); ++c) {
     const long n = x.cell_size(c);
     metric.pair_offset.push_back(metric.pair_offset.back() + n * (n - 1) / 2);
   }
-  metric.pair_weight.assign(metric.pair_offset.back(), 0.0);
-  metric.corner_mass.assign(x.cell_columns.size(), 0.0);
+  metric.pair_weight.resize(metric.pair_offset.back());
+  metric.corner_mass.resize(x.cell_columns.size());
   team.for_chunks(x.n_cells(), grain_of(x.n_cells()), [&](long begin, long end, long) {
-    for (int c = static_cast<int>(begin); c < end; ++c) {
-      if (c + n_ahead < x.n_cells()) prefetch_cell(x, points, c + n_ahead);
-      add_cell(x, points, c, metric);
-    }
+    for (int c = static_cast<int>(begin); c < end; ++c) add_cell(x, points, c, metric);
   });
 }
 

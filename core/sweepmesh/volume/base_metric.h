@@ -14,6 +14,7 @@
 #include "sweepmesh/base/geometry.h"
 #include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/extrusion.h"
+#include "sweepmesh/volume/floats.h"
 
 namespace sweepmesh {
 
@@ -22,10 +23,10 @@ struct BaseMetric {
   /// / 2 pairs in the order (0,1) (0,2) ... (1,2) ...
   std::vector<long> pair_offset = {0};
   /// Weight of every pair, >= 0: minus the entry of the cell's stiffness matrix.
-  std::vector<double> pair_weight;
+  Doubles pair_weight;
   /// Per corner, parallel to Extrusion::cell_columns: the part of the cell's area that is its
   /// share.
-  std::vector<double> corner_mass;
+  Doubles corner_mass;
   /// Level of the lowest node of all; height[k - k_first] > 0 is that of the layer k .. k + 1.
   int k_first = 0;
   std::vector<double> height;

@@ -38,7 +38,8 @@ ElementCheck check_elements(const Extrusion& extrusion, const Points& points, do
   std::vector<ElementCheck> parts(ThreadTeam::n_chunks(x.n_cells(), cells_per_chunk));
   std::vector<double> sums(parts.size(), 0.0);
   team.for_chunks(x.n_cells(), cells_per_chunk, [&](long begin, long end, long chunk) {
-    ElementCheck& part = parts[chunk];
+    ElementCheck part;
+    double sum = 0.0;
     std::vector<Point3> low, high;
     for (int c = static_cast<int>(begin); c < end; ++c) {
       const int n = x.cell_size(c);
@@ -50,11 +51,13 @@ ElementCheck check_elements(const Extrusion& extrusion, const Points& points, do
         std::swap(low, high);
         for (int i = 0; i < n; ++i) high[i] = points.row(x.node(columns[i], k + 1));
         const double value = scaled_jacobian(low.data(), high.data(), n);
-        sums[chunk] += value;
+        sum += value;
         part.min_scaled_jacobian = std::min(part.min_scaled_jacobian, value);
         if (!(value > threshold)) part.bad.push_back(first[c] + k - x.cell_k_low[c]);
       }
     }
+    parts[chunk] = std::move(part);
+    sums[chunk] = sum;
   });
   ElementCheck all;
   for (const ElementCheck& part : parts) {

@@ -1,4 +1,4 @@
-// Arrays of floats that are not touched before they are written.
+// Arrays of numbers that are not touched before they are written.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,8 @@ struct Untouched : std::allocator<T> {
   }
 };
 
-/// `Floats(n)` and `resize(n)` leave the values undefined; `Floats(n, value)` does not.
+/// A size without a value leaves the values undefined.
 using Floats = std::vector<float, Untouched<float>>;
+using Doubles = std::vector<double, Untouched<double>>;
 
 }  // namespace sweepmesh

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <string>
 
 #include "sweepmesh/base/errors.h"
@@ -118,61 +117,6 @@ void set_blends(const BaseMetric& metric, std::vector<AffineMap> maps, MotionBlo
   block.up = std::move(maps);
 }
 
-void find_blocks(const Extrusion& x, LayerMotion& motion) {
-  // Cells are joined through the first cell that a column saw with the same ends.
-  DisjointSets sets(x.n_cells());
-  std::map<std::pair<int, int>, std::vector<int>> seen;
-  for (int c = 0; c < x.n_cells(); ++c) {
-    std::vector<int>& first = seen[{x.cell_k_low[c], x.cell_k_high[c]}];
-    if (first.empty()) first.assign(x.n_columns(), -1);
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      int& f = first[x.cell_columns[i]];
-      if (f < 0)
-        f = c;
-      else
-        sets.join(f, c);
-    }
-  }
-  motion.cell_block.resize(x.n_cells());
-  for (int c = 0; c < x.n_cells(); ++c) {
-    const int root = sets.root(c);
-    if (root == c) {
-      motion.cell_block[c] = static_cast<int>(motion.blocks.size());
-      motion.blocks.push_back({x.cell_k_low[c], x.cell_k_high[c], {}, {}, false});
-    } else {
-      motion.cell_block[c] = motion.cell_block[root];
-    }
-  }
-}
-
-/// Most columns have one block; pairs of the others are sorted.
-void list_blocks_of_columns(const Extrusion& x, LayerMotion& motion) {
-  std::vector<int> first(x.n_columns(), -1);
-  std::vector<std::pair<int, int>> more;  // column, block
-  for (int c = 0; c < x.n_cells(); ++c)
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      int& own = first[x.cell_columns[i]];
-      if (own < 0) own = motion.cell_block[c];
-      if (own != motion.cell_block[c]) more.emplace_back(x.cell_columns[i], motion.cell_block[c]);
-    }
-  for (std::size_t i = 0, n = more.size(); i < n; ++i)
-    more.emplace_back(more[i].first, first[more[i].first]);
-  std::sort(more.begin(), more.end());
-  more.erase(std::unique(more.begin(), more.end()), more.end());
-  motion.column_offset.assign(1, 0);
-  motion.column_offset.reserve(x.n_columns() + 1);
-  auto next = more.begin();
-  for (int column = 0; column < x.n_columns(); ++column) {
-    if (next == more.end() || next->first != column) {
-      if (first[column] >= 0) motion.column_blocks.push_back(first[column]);
-    } else {
-      for (; next != more.end() && next->first == column; ++next)
-        motion.column_blocks.push_back(next->second);
-    }
-    motion.column_offset.push_back(static_cast<int>(motion.column_blocks.size()));
-  }
-}
-
 void check_ends(const Extrusion& x, const std::vector<char>& fixed, ThreadTeam& team) {
   const auto check_cell = [&](int c) {
     for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i)
@@ -219,10 +163,13 @@ bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, 
 LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char>& fixed,
                               const Points& points, const BaseMetric& metric, ThreadTeam& team) {
   check_ends(extrusion, fixed, team);
+  RunBlocks runs = find_blocks(extrusion);
+  const std::vector<Slab> slabs = find_slabs(extrusion, fixed, runs, team);
   LayerMotion motion;
-  find_blocks(extrusion, motion);
-  list_blocks_of_columns(extrusion, motion);
-  const std::vector<Slab> slabs = find_slabs(extrusion, fixed);
+  for (const auto& [low, high] : runs.ends) motion.blocks.push_back({low, high, {}, {}, false});
+  motion.cell_block = std::move(runs.of_cell);
+  motion.column_offset = std::move(runs.column_offset);
+  motion.column_blocks = std::move(runs.column_blocks);
   const std::vector<SlabMotion> motions = fit_slabs(extrusion, points, slabs);
   std::vector<std::vector<AffineMap>> maps(motion.blocks.size());
   std::vector<char> is_chained(motion.blocks.size(), 0);

@@ -119,9 +119,10 @@ void set_blends(const std::vector<Slab>& slabs, const std::vector<SlabFits>& fit
 
 }  // namespace
 
-void place_knupp(const Extrusion& extrusion, const std::vector<char>& fixed, Points& points) {
+void place_knupp(const Extrusion& extrusion, const std::vector<char>& fixed, Points& points,
+                 ThreadTeam& team) {
   const Extrusion& x = extrusion;
-  const std::vector<Slab> slabs = find_slabs(x, fixed);
+  const std::vector<Slab> slabs = find_slabs(x, fixed, find_blocks(x), team);
   for (std::size_t s = slabs.size(); s-- > 0;) {
     const Slab& slab = slabs[s];
     for (int k = slab.k_high; k > slab.k_low; --k) {
@@ -142,7 +143,7 @@ void place_least_squares(const Extrusion& extrusion, const std::vector<char>& fi
                          const BaseMetric& metric, Functional functional, Points& points,
                          ThreadTeam& team) {
   const Extrusion& x = extrusion;
-  const std::vector<Slab> slabs = find_slabs(x, fixed);
+  const std::vector<Slab> slabs = find_slabs(x, fixed, find_blocks(x), team);
   std::vector<SlabFits> fits;
   for (const Slab& slab : slabs) fits.push_back(fit_slab(x, slab, functional, points));
   LayerMotion motion = make_layer_motion(x, fixed, points, metric, team);

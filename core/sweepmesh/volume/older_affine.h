@@ -18,7 +18,8 @@ namespace sweepmesh {
 
 /// From loop to next loop, from the highest level down (thesis A.1); free nodes are set. A layer
 /// without loops keeps the shape of the one above.
-void place_knupp(const Extrusion& extrusion, const std::vector<char>& fixed, Points& points);
+void place_knupp(const Extrusion& extrusion, const std::vector<char>& fixed, Points& points,
+                 ThreadTeam& team);
 
 /// From both ends of every run (thesis 2.3 to 2.5); free nodes are set. Without loops a run is
 /// linear.

@@ -129,6 +129,27 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, const Bas
   set_quality(check_elements(x, points, 0.0, team), report);
 }
 
+/// The element of a cell between layers k and k + 1, among those of its kind.
+void add_element(const Extrusion& x, int cell, int k, VolumeMesh& mesh) {
+  const int* columns = x.cell_columns.data() + x.cell_offset[cell];
+  const int n = x.cell_size(cell);
+  const auto set = [&](auto element) {
+    for (int i = 0; i < n; ++i) {
+      element[i] = static_cast<int>(x.node(columns[i], k));
+      element[n + i] = element[i] + 1;
+    }
+  };
+  if (n == 4) {
+    set(mesh.hexahedra.emplace_back().begin());
+  } else if (n == 3) {
+    set(mesh.prisms.emplace_back().begin());
+  } else {
+    mesh.polyhedron_nodes.resize(mesh.polyhedron_nodes.size() + 2 * n);
+    set(mesh.polyhedron_nodes.end() - 2 * n);
+    mesh.polyhedron_offset.push_back(static_cast<int>(mesh.polyhedron_nodes.size()));
+  }
+}
+
 }  // namespace
 
 PlacementReport place_interior(const Extrusion& extrusion, const std::vector<char>& fixed,
@@ -147,7 +168,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   }
   const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric, team);
   set_predictions(extrusion, motion, fixed, points, team);
-  const Residuals residuals = find_residuals(extrusion, motion, fixed, points);
+  const Residuals residuals = find_residuals(extrusion, motion, fixed, points, team);
   report.largest_residual = largest(residuals);
   context.report(0.1, "Extending the boundary's residual");
   const double negligible = options.negligible_residual * size_of(points, fixed, team);
@@ -170,28 +191,9 @@ VolumeMesh build_volume_mesh(const Extrusion& extrusion, Points points) {
     throw InputError("place", "The mesh has more nodes than elements can number.");
   VolumeMesh mesh;
   mesh.points = std::move(points);
-  for (int c = 0; c < extrusion.n_cells(); ++c) {
-    const int* columns = extrusion.cell_columns.data() + extrusion.cell_offset[c];
-    const int low = extrusion.cell_k_low[c], high = extrusion.cell_k_high[c];
-    const auto node = [&](int i, int k) { return static_cast<int>(extrusion.node(columns[i], k)); };
-    const auto ring = [&]<std::size_t n>(std::vector<std::array<int, n>>& elements) {
-      for (int k = low; k < high; ++k) {
-        std::array<int, n>& element = elements.emplace_back();
-        for (std::size_t i = 0; i < n / 2; ++i) {
-          element[i] = node(static_cast<int>(i), k);
-          element[n / 2 + i] = element[i] + 1;
-        }
-      }
-    };
-    if (extrusion.cell_size(c) == 4)
-      ring(mesh.hexahedra);
-    else if (extrusion.cell_size(c) == 3)
-      ring(mesh.prisms);
-    else
-      throw InputError("place", "A cell of the base with " +
-                                    std::to_string(extrusion.cell_size(c)) +
-                                    " corners makes neither hexahedra nor prisms.");
-  }
+  for (int c = 0; c < extrusion.n_cells(); ++c)
+    for (int k = extrusion.cell_k_low[c]; k < extrusion.cell_k_high[c]; ++k)
+      add_element(extrusion, c, k, mesh);
   return mesh;
 }
 

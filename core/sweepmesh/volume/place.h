@@ -69,9 +69,9 @@ struct PlacementReport {
 PlacementReport place_interior(const Extrusion& extrusion, const std::vector<char>& fixed,
                                Points& points, const PlacementOptions& options, Context& context);
 
-/// Hexahedra (cells of four columns) and prisms (of three), cell by cell, from the lowest layer up;
-/// no boundary and no owners. Throws InputError for cells with more corners or for more nodes than
-/// an element can number.
+/// Hexahedra (cells of four columns), prisms (of three) and polyhedra (of more), cell by cell, from
+/// the lowest layer up; no boundary and no owners. Throws InputError for more nodes than an element
+/// can number.
 VolumeMesh build_volume_mesh(const Extrusion& extrusion, Points points);
 
 }  // namespace sweepmesh

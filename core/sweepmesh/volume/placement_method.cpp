@@ -77,7 +77,7 @@ void place_by_older_method(PlacementMethod method, const Extrusion& extrusion,
                       points, team);
       return;
     case knupp_affine:
-      return place_knupp(extrusion, fixed, points);
+      return place_knupp(extrusion, fixed, points, team);
     case least_squares_f:
       return place_least_squares(extrusion, fixed, metric, Functional::f, points, team);
     case least_squares_g:

@@ -122,9 +122,9 @@ void set_predictions(const Extrusion& extrusion, const LayerMotion& motion,
 }
 
 Residuals find_residuals(const Extrusion& extrusion, const LayerMotion& motion,
-                         const std::vector<char>& fixed, const Points& points) {
+                         const std::vector<char>& fixed, const Points& points, ThreadTeam& team) {
   Residuals residuals(extrusion.n_columns());
-  for (int c = 0; c < extrusion.n_columns(); ++c) {
+  const auto add_column = [&](int c) {
     const int first = motion.column_offset[c], last = motion.column_offset[c + 1];
     for (int i = first; i < last; ++i) {
       const int b = motion.column_blocks[i];
@@ -142,7 +142,11 @@ Residuals find_residuals(const Extrusion& extrusion, const LayerMotion& motion,
         v = Point3(points.row(extrusion.node(c, k))) - v;
       }
     }
-  }
+  };
+  team.for_chunks(extrusion.n_columns(), columns_per_chunk(extrusion),
+                  [&](long begin, long end, long) {
+                    for (int c = static_cast<int>(begin); c < end; ++c) add_column(c);
+                  });
   return residuals;
 }
 

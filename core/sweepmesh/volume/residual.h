@@ -36,7 +36,7 @@ void set_predictions(const Extrusion& extrusion, const LayerMotion& motion,
 
 /// `points` as set_predictions leaves them.
 Residuals find_residuals(const Extrusion& extrusion, const LayerMotion& motion,
-                         const std::vector<char>& fixed, const Points& points);
+                         const std::vector<char>& fixed, const Points& points, ThreadTeam& team);
 
 double largest(const Residuals& residuals);
 

@@ -1,34 +1,103 @@
 #include "sweepmesh/volume/slabs.h"
 
 #include <algorithm>
+#include <map>
+
+#include "sweepmesh/base/disjoint_sets.h"
 
 namespace sweepmesh {
 namespace {
 
-std::vector<int> levels_of(const Extrusion& x) {
-  std::vector<int> levels = x.cell_k_low;
-  levels.insert(levels.end(), x.cell_k_high.begin(), x.cell_k_high.end());
+void join_cells(const Extrusion& x, RunBlocks& blocks) {
+  // Cells are joined through the first cell that a column saw with the same ends.
+  DisjointSets sets(x.n_cells());
+  std::map<std::pair<int, int>, std::vector<int>> seen;
+  for (int c = 0; c < x.n_cells(); ++c) {
+    std::vector<int>& first = seen[{x.cell_k_low[c], x.cell_k_high[c]}];
+    if (first.empty()) first.assign(x.n_columns(), -1);
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
+      int& f = first[x.cell_columns[i]];
+      if (f < 0)
+        f = c;
+      else
+        sets.join(f, c);
+    }
+  }
+  blocks.of_cell.resize(x.n_cells());
+  for (int c = 0; c < x.n_cells(); ++c) {
+    const int root = sets.root(c);
+    if (root == c) {
+      blocks.of_cell[c] = static_cast<int>(blocks.ends.size());
+      blocks.ends.emplace_back(x.cell_k_low[c], x.cell_k_high[c]);
+    } else {
+      blocks.of_cell[c] = blocks.of_cell[root];
+    }
+  }
+}
+
+/// Most columns have one block; pairs of the others are sorted.
+void list_blocks_of_columns(const Extrusion& x, RunBlocks& blocks) {
+  std::vector<int> first(x.n_columns(), -1);
+  std::vector<std::pair<int, int>> more;  // column, block
+  for (int c = 0; c < x.n_cells(); ++c)
+    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
+      int& own = first[x.cell_columns[i]];
+      if (own < 0) own = blocks.of_cell[c];
+      if (own != blocks.of_cell[c]) more.emplace_back(x.cell_columns[i], blocks.of_cell[c]);
+    }
+  for (std::size_t i = 0, n = more.size(); i < n; ++i)
+    more.emplace_back(more[i].first, first[more[i].first]);
+  std::sort(more.begin(), more.end());
+  more.erase(std::unique(more.begin(), more.end()), more.end());
+  blocks.column_offset.assign(1, 0);
+  blocks.column_offset.reserve(x.n_columns() + 1);
+  blocks.column_blocks.reserve(x.n_columns());
+  auto next = more.begin();
+  for (int column = 0; column < x.n_columns(); ++column) {
+    if (next == more.end() || next->first != column) {
+      if (first[column] >= 0) blocks.column_blocks.push_back(first[column]);
+    } else {
+      for (; next != more.end() && next->first == column; ++next)
+        blocks.column_blocks.push_back(next->second);
+    }
+    blocks.column_offset.push_back(static_cast<int>(blocks.column_blocks.size()));
+  }
+}
+
+std::vector<int> levels_of(const RunBlocks& blocks) {
+  std::vector<int> levels;
+  for (const auto& [low, high] : blocks.ends) levels.insert(levels.end(), {low, high});
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
 }
 
-int find_parts(const Extrusion& x, Slab& slab) {
-  DisjointSets sets(x.n_columns());
-  std::vector<char> is_active(x.n_columns(), 0);
-  for (int c = 0; c < x.n_cells(); ++c) {
-    if (!slab.holds(x, c)) continue;
-    for (int i = x.cell_offset[c]; i < x.cell_offset[c + 1]; ++i) {
-      is_active[x.cell_columns[i]] = 1;
-      sets.join(x.cell_columns[i], x.cell_columns[x.cell_offset[c]]);
+/// Blocks that share a column are one part. Parts are numbered by their lowest columns.
+int find_parts(const RunBlocks& blocks, Slab& slab) {
+  const int n_blocks = static_cast<int>(blocks.ends.size());
+  const int n_columns = static_cast<int>(blocks.column_offset.size()) - 1;
+  DisjointSets sets(n_blocks);
+  const auto holds = [&](int b) {
+    return blocks.ends[b].first <= slab.k_low && slab.k_high <= blocks.ends[b].second;
+  };
+  std::vector<int> block_of(n_columns, -1);
+  for (int c = 0; c < n_columns; ++c)
+    for (int i = blocks.column_offset[c]; i < blocks.column_offset[c + 1]; ++i) {
+      const int b = blocks.column_blocks[i];
+      if (!holds(b)) continue;
+      if (block_of[c] < 0)
+        block_of[c] = b;
+      else
+        sets.join(block_of[c], b);
     }
-  }
   int n_parts = 0;
-  slab.part.assign(x.n_columns(), -1);
-  for (int c = 0; c < x.n_columns(); ++c) {
-    if (!is_active[c]) continue;
-    const int root = sets.root(c);
-    slab.part[c] = root == c ? n_parts++ : slab.part[root];
+  std::vector<int> part_of(n_blocks, -1);
+  slab.part.assign(n_columns, -1);
+  for (int c = 0; c < n_columns; ++c) {
+    if (block_of[c] < 0) continue;
+    int& part = part_of[sets.root(block_of[c])];
+    if (part < 0) part = n_parts++;
+    slab.part[c] = part;
   }
   return n_parts;
 }
@@ -41,15 +110,29 @@ bool is_fixed_between(const Extrusion& x, const std::vector<char>& fixed, int co
 
 }  // namespace
 
-std::vector<Slab> find_slabs(const Extrusion& extrusion, const std::vector<char>& fixed) {
+RunBlocks find_blocks(const Extrusion& extrusion) {
+  RunBlocks blocks;
+  join_cells(extrusion, blocks);
+  list_blocks_of_columns(extrusion, blocks);
+  return blocks;
+}
+
+std::vector<Slab> find_slabs(const Extrusion& extrusion, const std::vector<char>& fixed,
+                             const RunBlocks& blocks, ThreadTeam& team) {
   std::vector<Slab> slabs;
-  const std::vector<int> levels = levels_of(extrusion);
+  const std::vector<int> levels = levels_of(blocks);
+  const long grain = ThreadTeam::grain_of(extrusion.n_columns(), 1L << 7, 1L << 10);
+  std::vector<char> is_bound(extrusion.n_columns());
   for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
     Slab& slab = slabs.emplace_back(Slab{levels[l], levels[l + 1], {}, {}});
-    slab.loops.resize(find_parts(extrusion, slab));
+    slab.loops.resize(find_parts(blocks, slab));
+    team.for_chunks(extrusion.n_columns(), grain, [&](long begin, long end, long) {
+      for (int c = static_cast<int>(begin); c < end; ++c)
+        is_bound[c] =
+            slab.part[c] >= 0 && is_fixed_between(extrusion, fixed, c, slab.k_low, slab.k_high);
+    });
     for (int c = 0; c < extrusion.n_columns(); ++c)
-      if (slab.part[c] >= 0 && is_fixed_between(extrusion, fixed, c, slab.k_low, slab.k_high))
-        slab.loops[slab.part[c]].push_back(c);
+      if (is_bound[c]) slab.loops[slab.part[c]].push_back(c);
   }
   return slabs;
 }

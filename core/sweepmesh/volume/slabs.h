@@ -1,13 +1,23 @@
 // An extrusion between its neighbouring levels: cross-sections and their connected parts.
 #pragma once
 
-#include <numeric>
+#include <utility>
 #include <vector>
 
-#include "sweepmesh/base/disjoint_sets.h"
+#include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/extrusion.h"
 
 namespace sweepmesh {
+
+/// Connected sets of runs with the same two ends.
+struct RunBlocks {
+  std::vector<std::pair<int, int>> ends;  ///< per block: k_low, k_high
+  std::vector<int> of_cell;
+  /// Blocks of every column in compressed rows, ascending.
+  std::vector<int> column_offset, column_blocks;
+};
+
+RunBlocks find_blocks(const Extrusion& extrusion);
 
 /// What is between two neighbouring levels (layers at which a run begins or ends).
 struct Slab {
@@ -22,6 +32,7 @@ struct Slab {
 };
 
 /// From the lowest to the highest.
-std::vector<Slab> find_slabs(const Extrusion& extrusion, const std::vector<char>& fixed);
+std::vector<Slab> find_slabs(const Extrusion& extrusion, const std::vector<char>& fixed,
+                             const RunBlocks& blocks, ThreadTeam& team);
 
 }  // namespace sweepmesh

@@ -8,9 +8,12 @@
 //                  |/     |/               |/ \|
 //                  0------1                0---1
 // clang-format on
+// A polyhedron here is a prism over a polygon of five corners or more: its rings lie as those of
+// the others do.
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sweepmesh/base/geometry.h"
@@ -22,6 +25,9 @@ struct VolumeMesh {
   Points points;
   std::vector<std::array<int, 8>> hexahedra;
   std::vector<std::array<int, 6>> prisms;
+  /// Compressed rows, the first ring and then the second of each, of equal length.
+  std::vector<int> polyhedron_offset = {0};
+  std::vector<int> polyhedron_nodes;
 
   /// The boundary: polygons in compressed rows, outward, each with its CAD face.
   std::vector<int> boundary_offset = {0};
@@ -38,6 +44,16 @@ struct VolumeMesh {
   std::vector<std::array<int, 12>> hexahedron_mid_nodes;
   std::vector<std::array<int, 9>> prism_mid_nodes;
   std::vector<int> boundary_mid_nodes;
+
+  int n_polyhedra() const { return static_cast<int>(polyhedron_offset.size()) - 1; }
+  long n_elements() const {
+    return static_cast<long>(hexahedra.size() + prisms.size()) + n_polyhedra();
+  }
+  /// Both rings of a polyhedron.
+  std::span<const int> polyhedron(int i) const {
+    return {polyhedron_nodes.data() + polyhedron_offset[i],
+            polyhedron_nodes.data() + polyhedron_offset[i + 1]};
+  }
 };
 
 }  // namespace sweepmesh

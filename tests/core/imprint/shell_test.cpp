@@ -83,7 +83,7 @@ TEST_P(Shells, have_counts_that_quads_can_fill) {
   Context context;
   IntervalOptions options;
   options.size = 4.0;
-  const ShellCounts counts = count_shell(model(), scheme(), shell(), options, context);
+  const PieceCounts counts = count_shell(model(), scheme(), shell(), options, context);
   for (const ShellPatch& p : shell().patches) {
     int sum = 0;
     for (const auto& loop : p.loops)

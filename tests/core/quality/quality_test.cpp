@@ -103,20 +103,25 @@ TEST(ElementQuality, RightPrismsOverRegularPolygonsAreIdeal) {
   }
 }
 
-/// A block of nx x ny cells and nz layers with its points; cells are quads, or two triangles each.
+/// A block of nx x ny quads and nz layers with its points; quads may be two triangles each, or
+/// every two of them a polygon of six corners.
 struct Block {
   Extrusion extrusion;
   Points points;
 };
 
-Block make_block(int nx, int ny, int nz, bool has_triangles, double noise, unsigned seed) {
+Block make_block(int nx, int ny, int nz, int n_corners, double noise, unsigned seed) {
   Block b;
   const auto column = [&](int i, int j) { return j * (nx + 1) + i; };
   for (int c = 0; c < (nx + 1) * (ny + 1); ++c) b.extrusion.add_column(0, nz);
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
       const int c[4] = {column(i, j), column(i + 1, j), column(i + 1, j + 1), column(i, j + 1)};
-      if (has_triangles) {
+      if (n_corners == 6) {
+        if (i % 2 == 0 && i + 2 <= nx)
+          b.extrusion.add_cell({c[0], c[1], column(i + 2, j), column(i + 2, j + 1), c[2], c[3]}, 0,
+                               nz);
+      } else if (n_corners == 3) {
         b.extrusion.add_cell({c[0], c[1], c[2]}, 0, nz);
         b.extrusion.add_cell({c[0], c[2], c[3]}, 0, nz);
       } else {
@@ -139,7 +144,7 @@ VolumeMesh mesh_of(const Block& b) {
   mesh.points = b.points;
   for (int c = 0; c < b.extrusion.n_cells(); ++c)
     for (int k = b.extrusion.cell_k_low[c]; k < b.extrusion.cell_k_high[c]; ++k) {
-      std::array<int, 8> e;
+      std::array<int, 12> e;
       const int n = b.extrusion.cell_size(c);
       for (int i = 0; i < n; ++i) {
         e[i] = static_cast<int>(
@@ -147,20 +152,24 @@ VolumeMesh mesh_of(const Block& b) {
         e[n + i] = e[i] + 1;
       }
       if (n == 4)
-        mesh.hexahedra.push_back(e);
-      else
+        mesh.hexahedra.push_back({e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7]});
+      else if (n == 3)
         mesh.prisms.push_back({e[0], e[1], e[2], e[3], e[4], e[5]});
+      else
+        mesh.polyhedron_nodes.insert(mesh.polyhedron_nodes.end(), e.begin(), e.begin() + 2 * n);
+      if (n > 4) mesh.polyhedron_offset.push_back(static_cast<int>(mesh.polyhedron_nodes.size()));
     }
   return mesh;
 }
 
 TEST(QualityReport, AnExtrusionAndItsMeshAreWorthTheSame) {
-  for (const bool has_triangles : {false, true}) {
-    const Block b = make_block(23, 19, 17, has_triangles, 0.15, 7);
+  for (const int n_corners : {3, 4, 6}) {
+    const Block b = make_block(24, 19, 17, n_corners, 0.15, 7);
     const Context context;
     const QualityReport a = measure_quality(b.extrusion, b.points, {}, context);
     const QualityReport m = measure_quality(mesh_of(b), {}, context);
-    EXPECT_EQ(a.n_elements, 23 * 19 * 17 * (has_triangles ? 2 : 1));
+    EXPECT_EQ(a.n_elements, 24 * 19 * 17 * (n_corners == 3 ? 4 : n_corners == 4 ? 2 : 1) / 2);
+    EXPECT_NEAR(m.total_volume, 24 * 19 * 17, 0.01 * 24 * 19 * 17);
     EXPECT_EQ(a.scaled_jacobian.min, m.scaled_jacobian.min);
     EXPECT_EQ(a.scaled_jacobian.mean, m.scaled_jacobian.mean);
     EXPECT_EQ(a.total_volume, m.total_volume);
@@ -171,7 +180,7 @@ TEST(QualityReport, AnExtrusionAndItsMeshAreWorthTheSame) {
 }
 
 TEST(QualityReport, SummaryFollowsFromTheValuesOfTheElements) {
-  const Block b = make_block(16, 15, 40, false, 0.3, 3);
+  const Block b = make_block(16, 15, 40, 4, 0.3, 3);
   const Context context;
   const QualityReport report = measure_quality(b.extrusion, b.points, {.n_worst = 25}, context);
   std::vector<double> values = scaled_jacobians(b.extrusion, b.points, context);
@@ -188,7 +197,7 @@ TEST(QualityReport, SummaryFollowsFromTheValuesOfTheElements) {
 }
 
 TEST(QualityReport, DoesNotDependOnTheNumberOfThreads) {
-  const Block b = make_block(40, 40, 20, false, 0.2, 5);
+  const Block b = make_block(40, 40, 20, 4, 0.2, 5);
   const QualityReport one = measure_quality(b.extrusion, b.points, {}, Context(1));
   for (const int n : {2, 3, 7}) {
     const QualityReport many = measure_quality(b.extrusion, b.points, {}, Context(n));
@@ -205,7 +214,7 @@ TEST(QualityReport, EmptyMeshIsZeroEverywhereAndCancelIsHeard) {
   EXPECT_EQ(none.n_elements, 0);
   EXPECT_EQ(none.scaled_jacobian.min, 0.0);
   EXPECT_TRUE(none.worst.empty());
-  const Block b = make_block(2, 2, 2, false, 0.0, 1);
+  const Block b = make_block(2, 2, 2, 4, 0.0, 1);
   context.cancel();
   EXPECT_THROW(measure_quality(b.extrusion, b.points, {}, context), Cancelled);
 }

@@ -61,7 +61,7 @@ TEST_P(CapFaces, a_chart_leads_to_the_surface_and_keeps_areas) {
 
 TEST_P(CapFaces, a_cap_mesh_is_valid_and_lies_on_its_face) {
   const Context context;
-  for (const CellKind kind : {CellKind::quad, CellKind::triangle})
+  for (const CellKind kind : {CellKind::quad, CellKind::triangle, CellKind::polygon})
     for (const FaceId face : model().faces()) {
       const CapLoops boundary = loops(face);
       const CapMesh cap = mesh_cap(model(), face, boundary, size(), kind, context);
@@ -137,7 +137,7 @@ TEST(CapMesh, the_target_of_a_right_prism_lies_under_its_source) {
     const EdgeRows rows = edge_rows(model, 2.5);
     const CapLoops loops = cap_loops(model, up, rows.nodes, rows.t);
     const CapLoops partner = below(loops, cap_loops(model, down, rows.nodes, rows.t));
-    for (const CellKind kind : {CellKind::quad, CellKind::triangle}) {
+    for (const CellKind kind : {CellKind::quad, CellKind::triangle, CellKind::polygon}) {
       const CapPair pair = mesh_cap_pair(model, up, loops, down, partner, 2.5, kind, context);
       EXPECT_EQ(pair.source.plane.cell_nodes, pair.target.plane.cell_nodes);
       for (std::size_t i = 0; i < pair.source.points.size(); ++i)

@@ -1,12 +1,15 @@
 // Plane meshes of given boundaries: invariants over families, determinism, errors.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 #include <thread>
 
 #include "cap_shapes.h"
 #include "sweepmesh/base/errors.h"
-#include "sweepmesh/numerics/gmsh/process.h"
+#include "sweepmesh/numerics/gmsh/temporary_directory.h"
+#include "sweepmesh/numerics/gmsh/worker.h"
+#include "sweepmesh/surface/delaunay_quads.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_mesher.h"
 
@@ -72,6 +75,21 @@ TEST_P(CapOutlines, triangles_fill_the_domain_and_keep_its_boundary) {
   const PlanarMesh mesh = mesh_planar(GetParam().loops, options, context);
   expect_mesh_of(GetParam().loops, mesh, 3);
   EXPECT_GT(quality(mesh.points, mesh).min, 0.25);
+}
+
+TEST_P(CapOutlines, paired_delaunay_triangles_fill_the_domain_without_another_mesher) {
+  Context context;
+  const auto quads = delaunay_quads(GetParam().loops, GetParam().size);
+  ASSERT_TRUE(quads);
+  const BoundaryAngles angles = {interior_angles(GetParam().loops)};
+  const auto cleaned = [&](const PlanarMesh& mesh) {
+    return smoothed(with_regular_valences(smoothed(mesh, {}, context), angles), {}, context);
+  };
+  PlanarMesh mesh = cleaned(*quads);
+  const PlanarMesh ringed = cleaned(with_rings(mesh, GetParam().loops, angles));
+  if (overall_quality(ringed) > overall_quality(mesh)) mesh = ringed;
+  expect_mesh_of(GetParam().loops, mesh, 4);
+  EXPECT_GT(quality(mesh.points, mesh).mean, 0.6);
 }
 
 TEST_P(CapOutlines, same_input_gives_the_same_mesh) {
@@ -183,16 +201,45 @@ TEST(CapPlanar, a_cancelled_run_stops) {
   EXPECT_THROW(mesh_planar({gear_outline(20)}, options, context), Cancelled);
 }
 
-TEST(CapProcess, status_and_absence_are_told) {
-  const Context context;
-  const TemporaryDirectory directory;
-  EXPECT_EQ(run_process({"true"}, directory.path(), context), 0);
-  EXPECT_EQ(run_process({"false"}, directory.path(), context), 1);
-  EXPECT_EQ(run_process({"sh", "-c", "kill -SEGV $$"}, directory.path(), context), -1);
-  EXPECT_THROW(run_process({"no-such-program-anywhere"}, directory.path(), context), SolverError);
+/// A worker that answers as the shell's commands say.
+std::string fake_worker(const TemporaryDirectory& directory, const std::string& commands) {
+  const auto file = directory.path() / "worker";
+  std::ofstream(file) << "#!/bin/sh\n" << commands << "\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  return file.string();
 }
 
-TEST(CapProcess, cancelling_kills_the_child) {
+TEST(GmshWorker, tells_the_status_of_each_job) {
+  const Context context;
+  const TemporaryDirectory directory;
+  GmshWorker worker(
+      fake_worker(directory, "n=0; while read d; do n=$((n + 1)); echo $n >&0; done"));
+  EXPECT_EQ(worker.run(directory.path(), context), 1);
+  EXPECT_EQ(worker.run(directory.path(), context), 2);
+}
+
+TEST(GmshWorker, goes_on_after_a_job_that_failed) {
+  const Context context;
+  const TemporaryDirectory full;
+  std::ofstream(full.path() / "cap.geo")
+      << "Point(1)={0,0,0,1};Point(2)={1,0,0,1};Point(3)={0,1,0,1};"
+         "Line(1)={1,2};Line(2)={2,3};Line(3)={3,1};Line Loop(4)={1:3};Plane Surface(1)={4};";
+  GmshWorker worker;
+  EXPECT_NE(worker.run(full.path() / "nowhere", context), 0);
+  EXPECT_EQ(worker.run(full.path(), context), 0);
+  EXPECT_TRUE(std::filesystem::exists(full.path() / "cap.msh"));
+}
+
+TEST(GmshWorker, its_absence_and_its_end_are_told) {
+  const Context context;
+  const TemporaryDirectory directory;
+  EXPECT_THROW(GmshWorker("no-such-program-anywhere"), SolverError);
+  GmshWorker worker(fake_worker(directory, "read d; kill -SEGV $$"));
+  EXPECT_THROW(worker.run(directory.path(), context), SolverError);
+  EXPECT_THROW(worker.run(directory.path(), context), SolverError);
+}
+
+TEST(GmshWorker, is_not_waited_for_when_cancelled) {
   Context context;
   const TemporaryDirectory directory;
   std::thread watcher([&] {
@@ -200,12 +247,15 @@ TEST(CapProcess, cancelling_kills_the_child) {
     context.cancel();
   });
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_THROW(run_process({"sleep", "30"}, directory.path(), context), Cancelled);
+  {
+    GmshWorker worker(fake_worker(directory, "read d; sleep 30"));
+    EXPECT_THROW(worker.run(directory.path(), context), Cancelled);
+  }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   watcher.join();
 }
 
-TEST(CapProcess, the_directory_goes_with_its_owner) {
+TEST(TemporaryDirectory, goes_with_its_owner) {
   std::filesystem::path path;
   {
     const TemporaryDirectory directory;

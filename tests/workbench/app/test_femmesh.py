@@ -26,6 +26,7 @@ def grid_result(n):
         points=points,
         hexahedra=hexes.astype(np.int32),
         prisms=np.zeros((0, 6), np.int32),
+        n_polyhedra=0,
         boundary_offsets=np.arange(0, quads.size + 1, 4),
         boundary_nodes=quads.ravel(),
         boundary_faces=np.repeat([5, 6], n * n),
@@ -39,6 +40,7 @@ def prism_result():
         points=points,
         hexahedra=np.zeros((0, 8), np.int32),
         prisms=np.array([[0, 1, 2, 4, 5, 6], [0, 2, 3, 4, 6, 7]], np.int32),
+        n_polyhedra=0,
         boundary_offsets=np.array([0, 3, 6, 10]),
         boundary_nodes=np.array([0, 2, 1, 0, 3, 2, 0, 1, 5, 4]),
         boundary_faces=np.array([1, 1, 2]),
@@ -112,6 +114,13 @@ def test_polygons_are_refused_with_their_face():
     with pytest.raises(InputError, match="Face3") as caught:
         to_femmesh(result)
     assert caught.value.entities == ["Face3"]
+
+
+def test_polyhedra_are_refused_with_a_way_out():
+    result = app.mesh(Part.makeCylinder(2, 3), size=1.0, element="polyhedron")
+    assert result.n_polyhedra > 0
+    with pytest.raises(InputError, match="no polyhedra.*hexahedra or prisms"):
+        to_femmesh(result)
 
 
 def test_no_file_is_left_behind(tmp_path, monkeypatch):

@@ -41,6 +41,14 @@ def test_mesh_is_freecads_own_and_fills_the_solid(sweep, box):
     assert volume_of(sweep.FemMesh) == pytest.approx(box.Shape.Volume)
 
 
+def test_polyhedra_are_refused_before_meshing(sweep, document):
+    n_before = sweep.FemMesh.HexaCount
+    sweep.Element = "polyhedron"
+    document.recompute()
+    assert not sweep.isValid() and "hold no polyhedra" in sweep.Message
+    assert sweep.FemMesh.HexaCount == n_before
+
+
 def test_it_keeps_to_picked_faces(box):
     sweep = app.make_sweep_mesh(box, size=1.0, sources=["Face2"], targets=[1])
     assert sweep.Sources == (box, ["Face2"]) and sweep.Targets == (box, ["Face1"])

@@ -2,7 +2,7 @@
 from sweepmesh import engine
 from sweepmesh.app import overrides, preferences
 from sweepmesh.app.elements import arrays_of_femmesh, arrays_of_result
-from sweepmesh.app.femmesh import to_femmesh
+from sweepmesh.app.femmesh import refuse_polyhedra, to_femmesh
 from sweepmesh.app.kept_meshes import KeptMeshes
 from sweepmesh.app.objects.base import EDITABLE, HIDDEN, READ_ONLY, Property, Proxy, in_group
 from sweepmesh.app.progress import ProgressBar
@@ -101,6 +101,8 @@ class Sweep(Proxy):
     def execute(self, obj):
         try:
             brep, options = brep_of(shape_object(obj)), options_of(obj)
+            if options.element == "polyhedron":
+                refuse_polyhedra()
             key = fingerprint(brep, options)
             if key != self._shown:
                 self._store(obj, key, take(brep, options) or _run(obj, brep, options))

@@ -5,9 +5,12 @@
 #include <iomanip>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 
-#include "sweepmesh/numerics/gmsh/process.h"
+#include "sweepmesh/numerics/gmsh/temporary_directory.h"
+#include "sweepmesh/numerics/gmsh/worker.h"
 
 namespace sweepmesh {
 namespace {
@@ -144,9 +147,10 @@ GmshMesh mesh_by_gmsh(const Loops& loops, const GmshOptions& options, const Cont
   GmshOptions in_units = options;
   in_units.size_max = units.rounded(options.size_max);
   write_geo(directory.path() / "cap.geo", units.rounded(loops), in_units);
-  const int status =
-      run_process({"gmsh", "-2", "-nt", "1", "-format", "msh2", "-o", "cap.msh", "cap.geo"},
-                  directory.path(), context);
+  GmshWorkers& workers = context.kept<GmshWorkers>();
+  std::unique_ptr<GmshWorker> worker = workers.take();
+  const int status = worker->run(directory.path(), context);
+  workers.give_back(std::move(worker));
   std::size_t n_boundary = 0;
   for (const auto& loop : loops) n_boundary += loop.size();
   GmshMesh mesh = Reader(directory.path() / "cap.msh").read(n_boundary);

@@ -1,0 +1,79 @@
+#include "sweepmesh/pipeline/cap_match.h"
+
+#include <utility>
+
+#include "sweepmesh/imprint/imprint_counts.h"
+#include "sweepmesh/imprint/shell_counts.h"
+#include "sweepmesh/intervals/assign_intervals.h"
+
+namespace sweepmesh {
+
+bool is_one_to_one(const Scheme& scheme) {
+  return scheme.faces_with(FaceRole::source).size() == 1 &&
+         scheme.faces_with(FaceRole::target).size() == 1;
+}
+
+CapMatch match_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
+                    Context& context) {
+  if (is_shell_like(model, scheme)) return find_shell(model, scheme, context);
+  if (is_one_to_one(scheme)) return WholeCaps{};
+  return imprint_caps(model, scheme, options, context);
+}
+
+PieceCounts count_edges(const Model& model, const Scheme& scheme, const CapMatch& match,
+                        const IntervalOptions& options, Context& context) {
+  if (const auto* shell = std::get_if<Shell>(&match))
+    return count_shell(model, scheme, *shell, options, context);
+  if (const auto* imprint = std::get_if<Imprint>(&match))
+    return count_imprint(model, scheme, *imprint, options, context);
+  return {assign_intervals(model, scheme, options, context), {}};
+}
+
+EdgeNodes nodes_on_edges(const Model& model, const Scheme& scheme, const CapMatch& match,
+                         const PieceCounts& counts, const IntervalOptions& options) {
+  if (const auto* imprint = std::get_if<Imprint>(&match))
+    return place_imprinted_nodes(model, scheme, *imprint, counts, options);
+  return place_edge_nodes(model, counts.intervals, options);
+}
+
+std::vector<double> merge_fractions(const Model& model, const Scheme& scheme,
+                                    const SweepOptions& options, double size) {
+  std::vector<double> out = merge_fractions(options, size);
+  if (is_shell_like(model, scheme) || is_one_to_one(scheme)) out.resize(1);
+  return out;
+}
+
+Layout lay_out(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
+               Context& context) {
+  const IntervalOptions intervals = interval_options(model, options, size);
+  return with_some_merging(
+      merge_fractions(model, scheme, options, size),
+      [&](double fraction) {
+        return match_caps(model, scheme, {size, fraction}, context);
+      },
+      [&](CapMatch& match, double) {
+        PieceCounts counts = count_edges(model, scheme, match, intervals, context);
+        return Layout{std::move(match), std::move(counts)};
+      });
+}
+
+bool is_alike(const CapMatch& a, const CapMatch& b) {
+  const auto* of_a = std::get_if<Imprint>(&a);
+  const auto* of_b = std::get_if<Imprint>(&b);
+  if (!of_a || !of_b) return !of_a && !of_b;
+  return std::ranges::equal(of_a->edges, of_b->edges,
+                            [](const ImprintEdge& x, const ImprintEdge& y) {
+                              return x.start == y.start && x.end == y.end && x.points == y.points;
+                            });
+}
+
+bool is_final(const Error& error) {
+  const auto* imprint = dynamic_cast<const ImprintError*>(&error);
+  return imprint && imprint->failure() == ImprintFailure::unreachable;
+}
+
+bool can_merging_help(const Error& error) {
+  return !error.entities().empty() && !is_final(error);
+}
+
+}  // namespace sweepmesh
