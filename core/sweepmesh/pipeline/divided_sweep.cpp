@@ -234,6 +234,7 @@ std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& cont
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
   Assessment whole = assess(model, picks, context);
+  const bool has_regular_schemes = whole.is_sweepable();
   if (is_free(picks)) refuse_without_layout(model, context, whole);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;
   const SweepOptions options;
@@ -244,6 +245,7 @@ Assessment assess_or_divide(const Model& model, const Picks& picks, Context& con
     return of_whole(model, found->parts, found->assessment);
   };
   if (auto found = divided(Strain::refused)) return *found;
+  if (has_regular_schemes) return whole;  // poor angles do not mend what cannot be imprinted
   accept_strained(model, options, context, whole);
   if (whole.is_sweepable()) return whole;
   return divided(Strain::accepted).value_or(whole);

@@ -152,8 +152,6 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
     if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
       return *divided;
     if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
-    if (auto divided = plan_of_divided(model, division, Strain::accepted, plan.size, context))
-      return *divided;
     SweepPlan refused;
     refused.size = plan.size;
     refused.assessment = without_layout(error);

@@ -278,7 +278,6 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
     result.warnings.clear();
     if (divided(Strain::refused)) return true;
     if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
-    if (divided(Strain::accepted)) return true;
     result.assessment = without_layout(error);
     return false;
   }
