@@ -7,13 +7,10 @@
 
 namespace sweepmesh {
 
-/// A multiple of `step`, a power of two, that is nearer than it: numbers that differ by rounding
-/// errors become the same, and so do the decisions taken on them, however a solid lies and however
-/// large it is. Multiples stay what they are. What lies halfway between two of them, or at another
-/// simple fraction, as middles of what was rounded before do, is far from where rounding turns.
+/// The nearest multiple of `step`, a power of two: numbers that differ by rounding errors become
+/// the same, and so do the decisions taken on them, however a solid lies and however large it is.
 inline double on_lattice(double x, double step) {
-  constexpr double turn = 0.3819660112501051;      // the golden section of a step
-  return std::ceil(x / step - turn) * step + 0.0;  // no zero with a minus
+  return std::round(x / step) * step + 0.0;  // no zero with a minus
 }
 
 inline Point2 on_lattice(const Point2& p, double step) {

@@ -85,7 +85,8 @@ Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOpti
   const Reference reference =
       reference_of(model, scheme, walls, level, tolerance, options.size, context);
   refuse_runaways(model, reference);
-  const double merge = std::max(tolerance, options.merge_fraction);
+  // What lies apart by the limit itself, but for the lattice, is kept apart everywhere.
+  const double merge = std::max(tolerance, options.merge_fraction - tolerance / 2);
   Imprint out =
       imprint_of(model, scheme, walls, overlay(model, scheme, walls, reference, merge, context));
   out.unit = options.size;

@@ -113,14 +113,8 @@ std::vector<PoorAngle> poor_cad_angles(const Model& model, const Scheme& scheme,
       if (!is_new && misfit(*angle) < misfit(at->second)) at->second = *angle;
     }
   };
-  const std::size_t n_hexahedra = mesh.hexahedra.size();
-  for (std::size_t e = 0; e < value.size(); ++e) {
-    if (value[e] >= poor) continue;
-    if (e < n_hexahedra)
-      look_at(mesh.hexahedra[e]);
-    else
-      look_at(mesh.prisms[e - n_hexahedra]);
-  }
+  for (long e = 0; e < mesh.n_elements(); ++e)
+    if (value[e] < poor) look_at(mesh.element(e));
   std::vector<PoorAngle> out;
   for (const auto& [entity, angle] : found) out.push_back({entity, angle});
   return out;

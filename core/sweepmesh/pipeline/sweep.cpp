@@ -67,8 +67,8 @@ bool is_clearly_better(double least, double than) {
 }
 
 bool is_worth_another_try(double least, const VolumeMesh& mesh) {
-  constexpr std::size_t most_elements = 30000;
-  return least < kPoor && mesh.hexahedra.size() + mesh.prisms.size() < most_elements;
+  constexpr long most_elements = 30000;
+  return least < kPoor && mesh.n_elements() < most_elements;
 }
 
 /// Meshes one of the schemes of `result.assessment` into `result`.

@@ -38,28 +38,19 @@ struct MeshElements {
   template <class F>
   void visit(long begin, long end, F&& f) const {
     Corners corners;
-    const long n_hexes = static_cast<long>(mesh.hexahedra.size());
-    const long n_simple = n_hexes + static_cast<long>(mesh.prisms.size());
     for (long e = begin; e < end; ++e) {
-      if (e < n_hexes)
-        gather(mesh.hexahedra[e].data(), 4, corners);
-      else if (e < n_simple)
-        gather(mesh.prisms[e - n_hexes].data(), 3, corners);
-      else
-        gather(mesh.polyhedron(static_cast<int>(e - n_simple)), corners);
+      gather(mesh.element(e), corners);
       f(e, corners);
     }
   }
 
  private:
   void gather(std::span<const int> rings, Corners& corners) const {
-    gather(rings.data(), static_cast<int>(rings.size()) / 2, corners);
-  }
-  void gather(const int* nodes, int n, Corners& corners) const {
+    const int n = static_cast<int>(rings.size()) / 2;
     corners.resize(n);
     for (int i = 0; i < n; ++i) {
-      corners.low[i] = mesh.points.row(nodes[i]);
-      corners.high[i] = mesh.points.row(nodes[n + i]);
+      corners.low[i] = mesh.points.row(rings[i]);
+      corners.high[i] = mesh.points.row(rings[n + i]);
     }
   }
 };

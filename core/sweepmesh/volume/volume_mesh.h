@@ -54,6 +54,15 @@ struct VolumeMesh {
     return {polyhedron_nodes.data() + polyhedron_offset[i],
             polyhedron_nodes.data() + polyhedron_offset[i + 1]};
   }
+  /// Both rings of an element; hexahedra are numbered first, then prisms, then polyhedra.
+  std::span<const int> element(long e) const {
+    const auto n_hexahedra = static_cast<long>(hexahedra.size());
+    if (e < n_hexahedra) return hexahedra[e];
+    e -= n_hexahedra;
+    const auto n_prisms = static_cast<long>(prisms.size());
+    if (e < n_prisms) return prisms[e];
+    return polyhedron(static_cast<int>(e - n_prisms));
+  }
 };
 
 }  // namespace sweepmesh
