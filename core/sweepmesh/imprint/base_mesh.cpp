@@ -9,6 +9,7 @@
 #include "sweepmesh/imprint/patch_angles.h"
 #include "sweepmesh/imprint/polyline.h"
 #include "sweepmesh/surface/quad_cleanup.h"
+#include "sweepmesh/surface/regular_cells.h"
 #include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "sweepmesh/imprint/polyline.h"
+#include "sweepmesh/surface/regular_cells.h"
 
 namespace sweepmesh {
 namespace {

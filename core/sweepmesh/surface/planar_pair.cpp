@@ -8,6 +8,7 @@
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/surface/cap_map.h"
 #include "sweepmesh/surface/quad_cleanup.h"
+#include "sweepmesh/surface/regular_cells.h"
 #include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {

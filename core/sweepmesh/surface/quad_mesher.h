@@ -5,8 +5,7 @@
 // by Blossom), with leftover triangles paired and irregular nodes removed (quad_cleanup.h). Should
 // no pairing work, the domain is meshed at twice the size and every cell is cut into quads. Where
 // all of that leaves no valid mesh, a Delaunay triangulation is paired (delaunay_quads.h).
-// Smoothing is the foldover-free energy towards squares of the local boundary's edge length, so
-// what is valid stays so.
+// Smoothing is that of regular_cells.h.
 #pragma once
 
 #include "sweepmesh/base/context.h"
@@ -50,9 +49,5 @@ std::vector<PlanarMesh> candidate_meshes(const PlanarLoops& loops, const PlanarM
 
 /// How good a mesh is as a whole, by which candidates are compared: the worst cell counts most.
 double overall_quality(const PlanarMesh& mesh, const Metric& metric = {});
-
-/// The same connectivity with inside nodes moved towards cells that are regular and of the local
-/// boundary's size. What is valid stays valid.
-PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context);
 
 }  // namespace sweepmesh

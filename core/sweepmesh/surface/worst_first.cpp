@@ -81,6 +81,28 @@ std::vector<double> scaled_jacobians(const PlanarMesh& mesh, const std::vector<P
   return out;
 }
 
+/// Whether an edge has become much shorter than it was, and next to nothing: angles alone would let
+/// cells vanish.
+bool has_shrunk(const PlanarMesh& mesh, const std::vector<Point2>& before,
+                const std::vector<Point2>& now) {
+  constexpr double much = 0.4, nothing = 0.01;  // of its length, of the mean length
+  double mean = 0.0;
+  const auto each_edge = [&](const auto& f) {
+    for (int c = 0; c < mesh.n_cells(); ++c) {
+      const auto cell = mesh.cell(c);
+      for (std::size_t i = 0; i < cell.size(); ++i) {
+        const int a = cell[i], b = cell[(i + 1) % cell.size()];
+        f((before[b] - before[a]).norm(), (now[b] - now[a]).norm());
+      }
+    }
+  };
+  each_edge([&](double was, double) { mean += was; });
+  mean /= static_cast<double>(mesh.cell_nodes.size());
+  bool out = false;
+  each_edge([&](double was, double is) { out |= is < much * was && is < nothing * mean; });
+  return out;
+}
+
 }  // namespace
 
 std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<Point2>& points,
@@ -107,7 +129,7 @@ std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<
     now = minimise_foldover(now, fixed, corners, metric, options, context).points;
     jacobians = scaled_jacobians(mesh, now, metric);
     const double value = *std::min_element(jacobians.begin(), jacobians.end());
-    if (value <= 0.0) break;
+    if (value <= 0.0 || has_shrunk(mesh, points, now)) break;
     if (value > worst) worst = value, best = now;
     if (worst >= limit) break;
   }

@@ -12,6 +12,7 @@
 #include "sweepmesh/surface/delaunay_quads.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/quad_mesher.h"
+#include "sweepmesh/surface/regular_cells.h"
 
 namespace sweepmesh {
 namespace {
