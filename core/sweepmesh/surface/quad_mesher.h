@@ -38,7 +38,8 @@ bool is_domain(const PlanarLoops& loops);
 /// boundary edges, none is added. Every cell has a positive scaled Jacobian. Throws InputError (a
 /// loop of fewer than three points, crossing or misoriented loops, size not positive, an odd number
 /// of boundary edges for quads), SolverError (Gmsh fails) and InvalidMeshError (no valid mesh
-/// found). The same input gives the same mesh. Cost: about 0.1 s plus 0.1 ms a cell.
+/// found). The same input gives the same mesh. Cost: some
+/// 20 ms plus 0.1 ms a cell; the first mesh of a context's thread 0.1 s more (worker.h).
 PlanarMesh mesh_planar(const PlanarLoops& loops, const PlanarMeshOptions& options,
                        const Context& context);
 

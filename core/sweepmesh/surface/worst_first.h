@@ -11,8 +11,9 @@ namespace sweepmesh {
 /// area for other cells), in which a cell weighs the more the smaller its scaled Jacobian is (so
 /// the sum tends to the maximum's norm). The best round is kept, of those that shrink no edge to
 /// next to nothing; nothing changes where none is better, or where no cell is below `limit`. Only
-/// cells within some rings of those below it move. The mesh must be valid. Cost: a sparse factorisation of the neighbourhoods a step, some 8 steps
-/// a round; two rounds tell what is possible, six get it.
+/// cells within some rings of those below it move. The mesh must be valid. Cost: a sparse
+/// factorisation of the neighbourhoods a step, some 8 steps a round; two rounds tell what is
+/// possible, six get it.
 std::vector<Point2> with_worst_raised(const PlanarMesh& mesh, const std::vector<Point2>& points,
                                       double limit, int max_rounds, const Metric& metric,
                                       const Context& context);
