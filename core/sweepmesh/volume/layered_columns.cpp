@@ -151,8 +151,8 @@ void LayeredColumns::find_radius() {
   radius_ = *std::max_element(radius.begin(), radius.end());
 }
 
-double LayeredColumns::multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
-                                      float* y) const {
+void LayeredColumns::multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
+                                    float* y) const {
   const int t = whole_band_[column], low = s_.low[column], begin = s_.rows[t].offset[column];
   const BaseRows& rows = s_.rows[t];
   const auto mass = [&](int v, const std::vector<float> LayerClass::*which) {
@@ -174,10 +174,10 @@ double LayeredColumns::multiply_whole(const float* x, int column, const float* b
   c.across = mass(2 * t, &LayerClass::across);
   c.below = mass(2 * t - 1, &LayerClass::upper);
   c.above = mass(2 * t + 1, &LayerClass::lower);
-  return kernels::multiply(c, b, y, length(column));
+  kernels::multiply(c, b, y, length(column));
 }
 
-double LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, float* y) const {
+void LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, float* y) const {
   const int low = s_.low[column], high = s_.high[column];
   std::fill_n(y, length(column), 0.0f);
   for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
@@ -199,17 +199,24 @@ double LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch
       add(k + 1, k, -spring_[k] * l.across[column]);
     }
   });
-  return kernels::dot(own, y, length(column));
 }
 
 double LayeredColumns::multiply(int chunk, const Floats& x, Floats& y) const {
   thread_local Scratch scratch;
-  double sum = 0.0;
   for_columns(chunk, [&](int c) {
     float* out = y.data() + s_.offset[c];
-    sum += is_whole(c) ? multiply_whole(x.data(), c, nullptr, scratch, out)
-                       : multiply_any(x.data(), c, scratch, out);
+    is_whole(c) ? multiply_whole(x.data(), c, nullptr, scratch, out)
+                : multiply_any(x.data(), c, scratch, out);
   });
+  return dot(chunk, x, y);
+}
+
+double LayeredColumns::dot(int chunk, const Floats& x, const Floats& y) const {
+  constexpr long few = 1L << 10;  // are summed up in single precision
+  double sum = 0.0;
+  const long end = s_.offset[chunk_[chunk + 1]];
+  for (long i = s_.offset[chunk_[chunk]]; i < end; i += few)
+    sum += kernels::dot(x.data() + i, y.data() + i, std::min(few, end - i));
   return sum;
 }
 
@@ -238,15 +245,17 @@ void LayeredColumns::add_residual(const Floats& b, const Floats& x, Floats& r,
 
 void LayeredColumns::right_of(const float* b, const float* y, int column, Scratch& scratch,
                               float* out) const {
-  if (!y || !is_whole(column)) std::copy_n(b, length(column), out);
-  if (!y) return;
-  for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
+  const auto subtract = [&](const BaseRows& rows, int first, int last) {
     const int begin = rows.offset[column] + 1, end = rows.offset[column + 1];  // but the diagonal
     const float* const* streams = scratch.gather(s_, rows, begin, end, y, first);
     const long from = 3L * (first - s_.low[column]);
     kernels::subtract_weighted_sum(out + from, b + from, streams, rows.weight.data() + begin,
                                    end - begin, s_.share.data() + 3L * first, 3L * (last - first));
-  });
+  };
+  if (is_whole(column))
+    return subtract(s_.rows[whole_band_[column]], s_.low[column], s_.high[column] + 1);
+  std::copy_n(b, length(column), out);
+  for_free_bands(s_, column, subtract);
 }
 
 void LayeredColumns::couplings_of(int column, float* out) const {
@@ -270,12 +279,12 @@ void LayeredColumns::step_columns(const Floats& b, const Floats* y, const Mix& m
   scratch.fit(each);
   bool are_whole = true;
   for (int i = 0; i < n; ++i) {
-    right_of(b.data() + at + i * each, y ? y->data() : nullptr, first + i, scratch,
-             scratch.right + i * each);
     are_whole = are_whole && is_whole(first + i);
+    if (y)
+      right_of(b.data() + at + i * each, y->data(), first + i, scratch, scratch.right + i * each);
   }
-  kernels::ColumnSystems systems = {scratch.right, pivot_.data() + at / 3, nullptr, 0, one,
-                                    each / 3};
+  kernels::ColumnSystems systems = {
+      y ? scratch.right : b.data() + at, pivot_.data() + at / 3, nullptr, 0, one, each / 3};
   if (are_whole && each > 3) {
     systems.spring = spring_.data() + s_.low[first];
     systems.across = s_.layers[2 * whole_band_[first]].across.data() + first;
@@ -289,18 +298,14 @@ void LayeredColumns::step_columns(const Floats& b, const Floats* y, const Mix& m
 }
 
 void LayeredColumns::step(int chunk, const Floats& b, const Floats* y, const Mix& mix,
-                          Floats& result, double* dot) const {
+                          Floats& result) const {
   thread_local Scratch scratch;
-  double sum = 0.0;
   const int end = chunk_[chunk + 1];
   for (int c = chunk_[chunk], n = 1; c < end; c += n) {
     n = c + kernels::n_abreast <= end && are_alike(c, kernels::n_abreast) ? kernels::n_abreast : 1;
     if (length(c) == 0) continue;
     step_columns(b, y, mix, c, n, scratch, result);
-    const long at = s_.offset[c];
-    if (dot) sum += kernels::dot(b.data() + at, result.data() + at, n * length(c));
   }
-  if (dot) *dot = sum;
 }
 
 LayeredColumns::Chebyshev LayeredColumns::polynomial() const {
@@ -316,8 +321,8 @@ void LayeredColumns::add_smoother_from_zero(const Floats& b, Floats& x, Floats& 
                                             std::vector<ChunkStage>& stages) const {
   const Chebyshev p = polynomial();
   const Mix first = {0.0f, p.first, 0.0f}, second = {1.0f + p.again - p.second, p.second, 0.0f};
-  add_stage([=, this, &b, &work](int c) { step(c, b, nullptr, first, work, nullptr); }, stages);
-  add_stage([=, this, &b, &work, &x](int c) { step(c, b, &work, second, x, nullptr); }, stages);
+  add_stage([=, this, &b, &work](int c) { step(c, b, nullptr, first, work); }, stages);
+  add_stage([=, this, &b, &work, &x](int c) { step(c, b, &work, second, x); }, stages);
 }
 
 void LayeredColumns::add_smoother(const Floats& b, Floats& x, Floats& work, double* dots,
@@ -325,9 +330,12 @@ void LayeredColumns::add_smoother(const Floats& b, Floats& x, Floats& work, doub
   const Chebyshev p = polynomial();
   const Mix first = {1.0f - p.first, p.first, 0.0f},
             second = {1.0f + p.again - p.second, p.second, -p.again};
-  add_stage([=, this, &b, &work, &x](int c) { step(c, b, &x, first, work, nullptr); }, stages);
+  add_stage([=, this, &b, &work, &x](int c) { step(c, b, &x, first, work); }, stages);
   add_stage(
-      [=, this, &b, &work, &x](int c) { step(c, b, &work, second, x, dots ? dots + c : nullptr); },
+      [=, this, &b, &work, &x](int c) {
+        step(c, b, &work, second, x);
+        if (dots) dots[c] = dot(c, b, x);
+      },
       stages);
 }
 

@@ -82,19 +82,18 @@ class LayeredColumns {
   void find_whole();
   void factor();
   void find_radius();
-  /// One step of the smoother; `y` null stands for zero. b . result goes to `dot` unless that is
-  /// null.
-  void step(int chunk, const Floats& b, const Floats* y, const Mix& mix, Floats& result,
-            double* dot) const;
+  /// One step of the smoother; `y` null stands for zero.
+  void step(int chunk, const Floats& b, const Floats* y, const Mix& mix, Floats& result) const;
   /// The same for columns first .. first + n - 1, which are one or all alike.
   void step_columns(const Floats& b, const Floats* y, const Mix& mix, int first, int n,
                     Scratch& scratch, Floats& result) const;
-  /// out = b - O y for one column; b if there is no y.
+  /// out = b - O y for one column.
   void right_of(const float* b, const float* y, int column, Scratch& scratch, float* out) const;
-  /// A column's y = A x, or b - A x if there is a b; returns x . y.
-  double multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
-                        float* y) const;
-  double multiply_any(const float* x, int column, Scratch& scratch, float* y) const;
+  /// x . y over the columns of a chunk.
+  double dot(int chunk, const Floats& x, const Floats& y) const;
+  /// A column's y = A x, or b - A x if there is a b.
+  void multiply_whole(const float* x, int column, const float* b, Scratch& scratch, float* y) const;
+  void multiply_any(const float* x, int column, Scratch& scratch, float* y) const;
   /// Couplings of the layers inside a column's hull.
   void couplings_of(int column, float* out) const;
   /// Whether columns have the same hull.
