@@ -122,6 +122,8 @@ BaseMatrix build_rows(int n_rows, int n_cols, ThreadTeam& team, F&& f) {
   return matrix;
 }
 
+BaseMatrix zero_matrix(int n_rows, int n_cols);
+
 BaseMatrix product(const BaseMatrix& a, const BaseMatrix& b, ThreadTeam& team);
 
 /// A product with as many rows as columns; the diagonal's entry is the first of every row.

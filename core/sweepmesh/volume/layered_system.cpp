@@ -57,6 +57,8 @@ BaseRows rows_of(BaseMatrix matrix, ThreadTeam& team) {
 
 BaseRows band_rows(const Extrusion& x, const CellsOfColumns& cells, const BaseMetric& metric,
                    const std::vector<char>& is_free, int k, ThreadTeam& team) {
+  if (std::find(is_free.begin(), is_free.end(), 1) == is_free.end())
+    return rows_of(zero_matrix(x.n_columns(), x.n_columns()), team);
   const auto add_row = [&](int c, RowSum& sum) {
     if (!is_free[c]) return;
     double diagonal = 0.0;
