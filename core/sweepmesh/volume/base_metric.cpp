@@ -126,10 +126,10 @@ void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metri
 }
 
 void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, ThreadTeam& team) {
-  metric.pair_offset.reserve(x.n_cells() + 1);
+  metric.pair_offset.assign(x.n_cells() + 1, 0);
   for (int c = 0; c < x.n_cells(); ++c) {
     const long n = x.cell_size(c);
-    metric.pair_offset.push_back(metric.pair_offset.back() + n * (n - 1) / 2);
+    metric.pair_offset[c + 1] = metric.pair_offset[c] + n * (n - 1) / 2;
   }
   metric.pair_weight.resize(metric.pair_offset.back());
   metric.corner_mass.resize(x.cell_columns.size());

@@ -52,6 +52,15 @@ Points differences(const Extrusion& x, const LayerMotion& motion, const Points& 
   return out;
 }
 
+double longest(const Points& rows, ThreadTeam& team) {
+  const long grain = grain_of(rows.rows());
+  std::vector<double> parts(ThreadTeam::n_chunks(rows.rows(), grain), 0.0);
+  team.for_chunks(rows.rows(), grain, [&](long begin, long end, long chunk) {
+    for (long i = begin; i < end; ++i) parts[chunk] = std::max(parts[chunk], rows.row(i).norm());
+  });
+  return parts.empty() ? 0.0 : *std::max_element(parts.begin(), parts.end());
+}
+
 /// The base as three levels without mass: the middle one's system is the stiffness of the base.
 struct BaseProblem {
   Extrusion extrusion;
@@ -205,10 +214,10 @@ bool choose_transitions(const Extrusion& extrusion, const std::vector<char>& fix
                         const Context& context) {
   std::vector<int> block_of = free_blocks(extrusion, fixed, motion, team);
   Points mismatch = differences(extrusion, motion, points, team);
-  if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;
+  if (longest(mismatch, team) <= options.negligible) return false;
   complete_metric(extrusion, points, metric, team);
   subtract_extension(extrusion, metric, block_of, mismatch, team, context);
-  if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;
+  if (longest(mismatch, team) <= options.negligible) return false;
 
   Transitions transitions(extrusion, motion, metric, std::move(block_of), std::move(mismatch));
   std::vector<BlockQuality> best = measure(extrusion, motion, points, team);

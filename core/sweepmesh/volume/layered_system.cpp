@@ -100,21 +100,22 @@ LayerClass layer_class(const Extrusion& x, const CellsOfColumns& cells, const Ba
 }
 
 /// Sets the hulls of the columns from the bands in which they have a diagonal.
-void set_hulls(LayeredSystem& s) {
+void set_hulls(LayeredSystem& s, ThreadTeam& team) {
   const int n = static_cast<int>(s.rows.front().diagonal.size());
   s.low.assign(n, 0);
   s.high.assign(n, -1);
-  s.offset.assign(1, LayeredSystem::pad);
-  s.offset.reserve(n + 1);
+  s.offset.assign(n + 1, LayeredSystem::pad);
   s.start.resize(n);
-  for (int c = 0; c < n; ++c) {
+  for_columns(n, team, [&](int c) {
     for (int t = 0; t < s.n_bands(); ++t) {
       if (s.rows[t].diagonal[c] == 0.0f) continue;
       if (s.high[c] < 0) s.low[c] = s.band_begin[t];
       s.high[c] = s.band_begin[t + 1] - 1;
     }
-    s.start[c] = s.offset.back() - 3L * s.low[c];
-    s.offset.push_back(s.offset.back() + 3L * (s.high[c] - s.low[c] + 1));
+  });
+  for (int c = 0; c < n; ++c) {
+    s.start[c] = s.offset[c] - 3L * s.low[c];
+    s.offset[c + 1] = s.offset[c] + 3L * (s.high[c] - s.low[c] + 1);
   }
 }
 
@@ -265,7 +266,7 @@ LayeredSystem make_layered_system(const Extrusion& extrusion, const CellsOfColum
     layers_above(above - 1, is_free, is_free_above);
     is_free = std::move(is_free_above);
   }
-  set_hulls(s);
+  set_hulls(s, team);
   return s;
 }
 
@@ -310,7 +311,7 @@ LayeredSystem make_coarser(const LayeredSystem& fine, const BaseMatrix& prolonga
   for (const LayerClass& layer : fine.layers)
     s.layers.push_back(
         {restrict_mass(layer.across), restrict_mass(layer.lower), restrict_mass(layer.upper)});
-  set_hulls(s);
+  set_hulls(s, team);
   return s;
 }
 
