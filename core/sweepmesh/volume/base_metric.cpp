@@ -94,7 +94,22 @@ long grain_of(long n) {
   return ThreadTeam::grain_of(n, 1L << 5, 1L << 10);
 }
 
+/// As add_cell, of a quad.
+void add_quad_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
+  double weight[6] = {}, mass[4] = {};
+  const int* columns = x.cell_columns.data() + x.cell_offset[c];
+  for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
+    Point3 p[4];
+    for (int i = 0; i < 4; ++i) p[i] = points.row(x.node(columns[i], k));
+    add_quad({4, weight, mass}, p, 0.5);
+  }
+  double* pair_weight = &metric.pair_weight[metric.pair_offset[c]];
+  for (int i = 0; i < 6; ++i) pair_weight[i] = std::max(0.0, weight[i]);
+  std::copy_n(mass, 4, &metric.corner_mass[x.cell_offset[c]]);
+}
+
 void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
+  if (x.cell_size(c) == 4) return add_quad_cell(x, points, c, metric);
   thread_local std::vector<Point3> p;
   const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
                            &metric.corner_mass[x.cell_offset[c]]};

@@ -40,6 +40,11 @@ void for_pairs(const Extrusion& x, const BaseMetric& metric, int cell, int i, F&
   const int* columns = x.cell_columns.data() + x.cell_offset[cell];
   const double* weight = metric.pair_weight.data() + metric.pair_offset[cell];
   const int n = x.cell_size(cell);
+  if (n == 4) {
+    constexpr int pair[4][3] = {{0, 1, 2}, {3, 4, 0}, {5, 1, 3}, {2, 4, 5}};
+    for (int j = 0; j < 3; ++j) f(columns[(i + 1 + j) & 3], weight[pair[i][j]]);
+    return;
+  }
   for (int j = 0; j < n; ++j) {
     if (j == i) continue;
     const int a = std::min(i, j), b = std::max(i, j);

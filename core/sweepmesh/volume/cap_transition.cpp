@@ -85,23 +85,23 @@ void subtract_extension(const Extrusion& x, const BaseMetric& metric,
   if (unit > 0.0) {
     const BaseProblem base(x, metric, block_of);
     const CellsOfColumns cells(base.extrusion);
-    const LayeredLevel level =
-        make_layered_level(base.extrusion, cells, base.metric, base.fixed, team);
-    Floats right(level.system.size(), 0.0f);
+    const LayeredSystem system =
+        make_layered_system(base.extrusion, cells, base.metric, base.fixed, team);
+    Floats right(system.size(), 0.0f);
     for (int c = 0; c < x.n_columns(); ++c) {
-      if (level.system.low[c] > level.system.high[c]) continue;
-      float* force = right.data() + level.system.offset[c];
+      if (system.low[c] > system.high[c]) continue;
+      float* force = right.data() + system.offset[c];
       for (int i = cells.offset[c]; i < cells.offset[c + 1]; ++i)
         for_pairs(x, metric, cells.cell[i], cells.corner[i], [&](int other, double w) {
           if (block_of[other] < 0)
             for (int d = 0; d < 3; ++d)
-              force[d] += static_cast<float>(level.system.share[3] * w * rows(other, d) / unit);
+              force[d] += static_cast<float>(system.share[3] * w * rows(other, d) / unit);
         });
     }
-    solve(level, right, {}, team, context);
+    solve(system, right, {}, team, context);
     for (int c = 0; c < x.n_columns(); ++c)
-      for (long i = level.system.offset[c]; i < level.system.offset[c + 1]; ++i)
-        rows(c, i - level.system.offset[c]) -= unit * right[i];
+      for (long i = system.offset[c]; i < system.offset[c + 1]; ++i)
+        rows(c, i - system.offset[c]) -= unit * right[i];
   }
   for (int c = 0; c < x.n_columns(); ++c)
     if (block_of[c] < 0) rows.row(c).setZero();
