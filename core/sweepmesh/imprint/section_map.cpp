@@ -209,6 +209,7 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
   MapOptions options;
   options.poor = 0.0;  // slivers do no harm to what is carried
+  options.squeezed = 0.0;
   std::vector<Point2> all = map_planar(mesh, section.images, options, context).points;
   for (Point2& p : all) p *= spacing;
   return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
@@ -228,6 +229,7 @@ std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
     mesh.add_cell(t);
   MapOptions options;
   options.poor = -1.0;
+  options.squeezed = 0.0;
   const std::vector<Point2> images = map_planar(mesh, section.images, options, context).points;
   std::vector<Point2> out;
   for (const Point2& p : points) out.push_back(spacing * image_in(mesh, images, p / spacing));
