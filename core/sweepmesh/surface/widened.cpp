@@ -93,7 +93,7 @@ class Widening {
     std::vector<char> is_near(mesh_.n_nodes(), 0);
     for (const int c : squeezed)
       for (const int node : mesh_.cell(c)) is_near[node] = 1;
-    for (int ring = 1; ring < options_.rings; ++ring) {
+    for (int ring = 0; ring < options_.rings; ++ring) {
       const std::vector<char> before = is_near;
       for (int c = 0; c < mesh_.n_cells(); ++c) {
         const auto cell = mesh_.cell(c);
