@@ -33,6 +33,9 @@ class ThreadTeam {
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
+  /// The caller too.
+  int n_threads() const { return static_cast<int>(workers_.size()) + 1; }
+
   static long n_chunks(long n, long grain) { return (n + grain - 1) / grain; }
 
   /// A grain that makes a few dozen chunks of [0, n), so that small ranges have work for all
@@ -74,6 +77,20 @@ class ThreadTeam {
     return zero;
   }
 
+  /// What `a` holds when it is no longer `value`; whoever changes it calls notify_all().
+  static std::uint32_t wait_while(const std::atomic<std::uint32_t>& a, std::uint32_t value) {
+    constexpr int spins = 2000;  // some ten microseconds: what it takes to wake a thread
+    for (int i = 0; i < spins; ++i) {
+      const std::uint32_t now = a;
+      if (now != value) return now;
+#if defined(__x86_64__)
+      __builtin_ia32_pause();
+#endif
+    }
+    a.wait(value);
+    return a;
+  }
+
  private:
   struct FirstError {
     std::mutex mutex;
@@ -87,20 +104,6 @@ class ThreadTeam {
       what = std::move(e);
     }
   };
-
-  /// What `a` holds when it is no longer `value`.
-  static std::uint32_t wait_while(const std::atomic<std::uint32_t>& a, std::uint32_t value) {
-    constexpr int spins = 2000;  // some ten microseconds: what it takes to wake a thread
-    for (int i = 0; i < spins; ++i) {
-      const std::uint32_t now = a;
-      if (now != value) return now;
-#if defined(__x86_64__)
-      __builtin_ia32_pause();
-#endif
-    }
-    a.wait(value);
-    return a;
-  }
 
   void start_round(std::uint32_t chunks) {
     const std::uint32_t next = round_ + 1;

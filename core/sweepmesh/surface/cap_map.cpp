@@ -17,18 +17,6 @@ Point2 apply(const Affine& a, const Point2& p) {
   return a.leftCols<2>() * p + a.col(2);
 }
 
-std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Point2>& boundary,
-                                 const MapOptions& options) {
-  const Affine affine =
-      best_affine({source.points.begin(), source.points.begin() + source.n_boundary}, boundary);
-  std::vector<Point2> residual(boundary);
-  for (int i = 0; i < source.n_boundary; ++i) residual[i] -= apply(affine, source.points[i]);
-  std::vector<Point2> out = harmonic_extension(source, residual, options.source_metric);
-  for (int i = 0; i < source.n_nodes(); ++i) out[i] += apply(affine, source.points[i]);
-  for (int i = 0; i < source.n_boundary; ++i) out[i] = boundary[i];
-  return out;
-}
-
 /// Cells that are worse than `limit`.
 std::vector<int> cells_below(double limit, const PlanarMesh& mesh,
                              const std::vector<Point2>& points, const Metric& metric) {
@@ -147,12 +135,24 @@ Affine best_affine(const std::vector<Point2>& from, const std::vector<Point2>& t
   return left.colPivHouseholderQr().solve(right).transpose();
 }
 
+std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Point2>& boundary,
+                                 const Metric& source_metric) {
+  const Affine affine =
+      best_affine({source.points.begin(), source.points.begin() + source.n_boundary}, boundary);
+  std::vector<Point2> residual(boundary);
+  for (int i = 0; i < source.n_boundary; ++i) residual[i] -= apply(affine, source.points[i]);
+  std::vector<Point2> out = harmonic_extension(source, residual, source_metric);
+  for (int i = 0; i < source.n_nodes(); ++i) out[i] += apply(affine, source.points[i]);
+  for (int i = 0; i < source.n_boundary; ++i) out[i] = boundary[i];
+  return out;
+}
+
 PlanarMap map_planar(const PlanarMesh& source, const std::vector<Point2>& boundary,
                      const MapOptions& options, const Context& context) {
   if (static_cast<int>(boundary.size()) != source.n_boundary)
     throw InputError("surface", "Source and target cap have different numbers of boundary nodes.");
   PlanarMap map;
-  map.points = harmonic_map(source, boundary, options);
+  map.points = harmonic_map(source, boundary, options.source_metric);
   map.harmonic = map.final = quality(map.points, source, options.target_metric);
   Improver(source, options, context).run(map);
   if (map.final.n_inverted == 0) {

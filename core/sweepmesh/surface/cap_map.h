@@ -39,6 +39,10 @@ struct PlanarMap {
   PlanarQuality harmonic, final;  ///< on the target, after the first and after the last step
 };
 
+/// The first step alone, whether cells come out inverted or not.
+std::vector<Point2> harmonic_map(const PlanarMesh& source, const std::vector<Point2>& boundary,
+                                 const Metric& source_metric = {});
+
 /// Positions on the target of the nodes of `source`, whose first n_boundary nodes go to `boundary`.
 /// The target is counterclockwise as the source is (mirror it before, if it is looked at from
 /// behind). Throws InputError when `boundary` has another length than n_boundary, InvalidMeshError

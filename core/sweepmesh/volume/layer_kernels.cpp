@@ -253,12 +253,11 @@ SWEEPMESH_WIDE double dot(const float* x, const float* y, long n) {
   return inner_product(x, y, n);
 }
 
-SWEEPMESH_WIDE double multiply(const ColumnProduct& column, const float* b, float* y, long n) {
+SWEEPMESH_WIDE void multiply(const ColumnProduct& column, const float* b, float* y, long n) {
   if (b)
     sum_streams(column.streams, column.weight, column.n_streams, n, ProductRest{{column, y}, b});
   else
     sum_streams(column.streams, column.weight, column.n_streams, n, Product{column, y});
-  return inner_product(column.x, y, n);
 }
 
 SWEEPMESH_WIDE void solve_columns(const ColumnSystems& systems, int n_columns, float alpha,

@@ -29,8 +29,8 @@ struct ColumnProduct {
   float below, above;                    ///< masses of those beyond
 };
 
-/// y = A x, or b - A x where there is a b; returns x . y. `n` floats; y is no other vector.
-double multiply(const ColumnProduct& column, const float* b, float* y, long n);
+/// y = A x, or b - A x where there is a b. `n` floats; y is no other vector.
+void multiply(const ColumnProduct& column, const float* b, float* y, long n);
 
 /// Columns that are best solved at a time: one alone would wait for its own last result at every
 /// step.
