@@ -13,11 +13,11 @@ bool is_one_to_one(const Scheme& scheme) {
          scheme.faces_with(FaceRole::target).size() == 1;
 }
 
-CapMatch match_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
-                    Context& context) {
-  if (is_shell_like(model, scheme)) return find_shell(model, scheme, context);
-  if (is_one_to_one(scheme)) return WholeCaps{};
-  return imprint_caps(model, scheme, options, context);
+CapMatch CapMatcher::operator()(double merge_fraction) {
+  if (is_shell_like(model_, scheme_)) return find_shell(model_, scheme_, context_);
+  if (is_one_to_one(scheme_)) return WholeCaps{};
+  if (!basis_) basis_ = imprint_basis(model_, scheme_, size_, context_);
+  return imprint_on(*basis_, model_, scheme_, merge_fraction, context_);
 }
 
 PieceCounts count_edges(const Model& model, const Scheme& scheme, const CapMatch& match,
@@ -46,15 +46,12 @@ std::vector<double> merge_fractions(const Model& model, const Scheme& scheme,
 Layout lay_out(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
                Context& context) {
   const IntervalOptions intervals = interval_options(model, options, size);
-  return with_some_merging(
-      merge_fractions(model, scheme, options, size),
-      [&](double fraction) {
-        return match_caps(model, scheme, {size, fraction}, context);
-      },
-      [&](CapMatch& match, double) {
-        PieceCounts counts = count_edges(model, scheme, match, intervals, context);
-        return Layout{std::move(match), std::move(counts)};
-      });
+  return with_some_merging(merge_fractions(model, scheme, options, size),
+                           CapMatcher(model, scheme, size, context), [&](CapMatch& match, double) {
+                             PieceCounts counts =
+                                 count_edges(model, scheme, match, intervals, context);
+                             return Layout{std::move(match), std::move(counts)};
+                           });
 }
 
 bool is_alike(const CapMatch& a, const CapMatch& b) {

@@ -9,6 +9,7 @@
 #include "sweepmesh/surface/cap_map.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/regular_cells.h"
+#include "sweepmesh/surface/widened.h"
 #include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
@@ -103,6 +104,7 @@ class PairMesher {
   PairMesher(const PlanarLoops& first, const PlanarLoops& second, const PlanarMeshOptions& options,
              const Metric& second_metric, const Context& context)
       : first_(first), second_(flattened(second)), options_(options), context_(context) {
+    onto_first_.squeezed = onto_second_.squeezed = 0.0;  // the best one is widened in the end
     onto_first_.target_metric = options.metric;
     onto_second_.source_metric = options.metric;
     onto_second_.target_metric = second_metric;
@@ -199,13 +201,19 @@ class PairMesher {
     return quality(points, cells, metric);
   }
 
+  PlanarQuality finish(PlanarMesh mesh, std::vector<Point2>& points, const Metric& metric) const {
+    raise(mesh, points, rounds_to_finish, metric);
+    mesh.points = points;
+    points = widened(mesh, points, lengths_of_regular(mesh, metric), {}, metric, context_);
+    return quality(points, mesh, metric);
+  }
+
   PlanarPair finished() {
     PlanarPair pair = std::move(*best_);
     std::vector<Point2> points = pair.first.points;
-    pair.first_quality = raise(pair.first, points, rounds_to_finish, options_.metric);
+    pair.first_quality = finish(pair.first, points, options_.metric);
     pair.first.points = std::move(points);
-    pair.second_quality =
-        raise(pair.first, pair.second, rounds_to_finish, onto_second_.target_metric);
+    pair.second_quality = finish(pair.first, pair.second, onto_second_.target_metric);
     return pair;
   }
 
