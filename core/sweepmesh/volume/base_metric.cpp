@@ -70,17 +70,20 @@ void add_quad(const PolygonMatrix& m, const Point3* p, double factor) {
   const Four cosine = -(in[0] * out[0] + in[1] * out[1] + in[2] * out[2]);
   const auto angle = [&](int i) { return Direction{sine[i], cosine[i]}; };
   // Which it is for a square, rounding says: no branch that is foreseen half of the times.
-  const int tip = 1 - static_cast<int>((angle(0) + angle(2)).is_less_than(angle(1) + angle(3)));
-  constexpr int pair[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
-  for (int half = 0; half < 2; ++half) {  // the triangle of corner i and its neighbours
-    const int i = tip + 2 * half, last = (i + 3) % 4, next = (i + 1) % 4;
-    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * sine[i] / 6.0;
-    if (!(sine[i] > 0.0)) continue;
-    const double f = 0.5 * factor / sine[i];
-    m.pair_weight[pair[last][next]] += f * cosine[i];
-    m.pair_weight[pair[last][i]] += f * (length[i] - cosine[i]);
-    m.pair_weight[pair[i][next]] += f * (length[last] - cosine[i]);
-  }
+  const bool is_even = (angle(0) + angle(2)).is_less_than(angle(1) + angle(3));
+  const double even = is_even ? 1.0 : 0.0, odd = 1.0 - even;
+  const Four is_tip(even, odd, even, odd);  // of the triangle of a corner and its neighbours
+  const Four area = is_tip * sine, f = (sine > 0.0).select(0.5 * is_tip / sine, 0.0);
+  const Four mass = area + next_of(area) + last_of(area);
+  // Edge i faces the next corner but one in the triangle of corner i, this corner in that of the
+  // next.
+  const Four side = f * (last_of(length) - cosine) + next_of(f * (length - cosine));
+  const Four across = f * cosine;
+  for (int i = 0; i < 4; ++i) m.corner_mass[i] += factor / 6.0 * mass[i];
+  constexpr int edge[4] = {0, 3, 5, 2};
+  for (int i = 0; i < 4; ++i) m.pair_weight[edge[i]] += factor * side[i];
+  m.pair_weight[1] += factor * (across[1] + across[3]);
+  m.pair_weight[4] += factor * (across[0] + across[2]);
 }
 
 void add_polygon(const PolygonMatrix& m, const Point3* p, double factor) {
