@@ -97,35 +97,37 @@ long grain_of(long n) {
   return ThreadTeam::grain_of(n, 1L << 5, 1L << 10);
 }
 
-/// As add_cell, of a quad.
-void add_quad_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
-  double weight[6] = {}, mass[4] = {};
+/// Adds what the ends of a cell have in common with it, half each.
+void add_ends(const Extrusion& x, const Points& points, int c, Point3* p, const PolygonMatrix& m) {
   const int* columns = x.cell_columns.data() + x.cell_offset[c];
   for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
-    Point3 p[4];
-    for (int i = 0; i < 4; ++i) p[i] = points.row(x.node(columns[i], k));
-    add_quad({4, weight, mass}, p, 0.5);
+    for (int i = 0; i < m.n; ++i) p[i] = points.row(x.node(columns[i], k));
+    add_polygon(m, p, 0.5);
   }
-  double* pair_weight = &metric.pair_weight[metric.pair_offset[c]];
-  for (int i = 0; i < 6; ++i) pair_weight[i] = std::max(0.0, weight[i]);
-  std::copy_n(mass, 4, &metric.corner_mass[x.cell_offset[c]]);
+}
+
+void keep(const Extrusion& x, int c, const PolygonMatrix& m, BaseMetric& metric) {
+  float* weight = &metric.pair_weight[metric.pair_offset[c]];
+  float* mass = &metric.corner_mass[x.cell_offset[c]];
+  for (int i = 0; i < m.n * (m.n - 1) / 2; ++i)
+    weight[i] = static_cast<float>(std::max(0.0, m.pair_weight[i]));
+  for (int i = 0; i < m.n; ++i) mass[i] = static_cast<float>(m.corner_mass[i]);
 }
 
 void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
-  if (x.cell_size(c) == 4) return add_quad_cell(x, points, c, metric);
-  thread_local std::vector<Point3> p;
-  const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
-                           &metric.corner_mass[x.cell_offset[c]]};
-  p.resize(m.n);
-  std::fill_n(m.pair_weight, m.n * (m.n - 1) / 2, 0.0);
-  std::fill_n(m.corner_mass, m.n, 0.0);
-  for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
-    for (int i = 0; i < m.n; ++i)
-      p[i] = points.row(x.node(x.cell_columns[x.cell_offset[c] + i], k));
-    add_polygon(m, p.data(), 0.5);
+  const int n = x.cell_size(c);
+  if (n == 4) {
+    double weight[6] = {}, mass[4] = {};
+    Point3 p[4];
+    const PolygonMatrix m = {4, weight, mass};
+    add_ends(x, points, c, p, m);
+    return keep(x, c, m, metric);
   }
-  for (int i = 0; i < m.n; ++i)
-    for (int j = i + 1; j < m.n; ++j) m.weight(i, j) = std::max(0.0, m.weight(i, j));
+  std::vector<double> weight(n * (n - 1) / 2, 0.0), mass(n, 0.0);
+  std::vector<Point3> p(n);
+  const PolygonMatrix m = {n, weight.data(), mass.data()};
+  add_ends(x, points, c, p.data(), m);
+  keep(x, c, m, metric);
 }
 
 void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, ThreadTeam& team) {

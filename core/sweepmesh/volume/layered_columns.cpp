@@ -154,7 +154,7 @@ void LayeredColumns::multiply_whole(const float* x, int column, const float* b, 
                                     float* y) const {
   const int t = whole_band_[column], low = s_.low[column];
   const BaseMatrix::Row row = s_.rows[t].matrix.row(column);
-  const auto mass = [&](int v, const std::vector<float> LayerClass::*which) {
+  const auto mass = [&](int v, const Floats LayerClass::*which) {
     if (v < 0 || (s_.layers[v].*which).empty()) return 0.0f;
     return (s_.layers[v].*which)[column];
   };
