@@ -78,7 +78,7 @@ void LayeredColumns::set_springs() {
 }
 
 void LayeredColumns::make_chunks() {
-  constexpr long least = 1L << 12, most = 1L << 14;  // floats: several stages' stay in the cache
+  constexpr long least = 1L << 12, most = 1L << 13;  // floats: several stages' stay in the cache
   const long grain = ThreadTeam::grain_of(size(), least, most);
   chunk_.push_back(0);
   for (int c = 0; c < s_.n_columns(); ++c)
