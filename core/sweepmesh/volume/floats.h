@@ -41,7 +41,6 @@ struct Untouched {
 
 /// A size without a value leaves the values undefined.
 using Floats = std::vector<float, Untouched<float>>;
-using Doubles = std::vector<double, Untouched<double>>;
 using Ints = std::vector<int, Untouched<int>>;
 
 }  // namespace sweepmesh

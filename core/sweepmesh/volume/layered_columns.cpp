@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sweepmesh/volume/layer_kernels.h"
 
@@ -57,6 +58,7 @@ LayeredColumns::LayeredColumns(const LayeredSystem& system, ThreadTeam& team)
   make_chunks();
   find_reach();
   find_whole();
+  find_steps();
   factor();
   find_radius();
 }
@@ -108,6 +110,25 @@ void LayeredColumns::find_whole() {
   });
 }
 
+void LayeredColumns::find_steps() {
+  const int n = s_.n_columns();
+  row_begin_.assign(n + 1, 0);
+  for_columns([&](int c) {
+    if (is_whole(c)) row_begin_[c + 1] = s_.rows[whole_band_[c]].matrix.row(c).n;
+  });
+  std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
+  step_.resize(row_begin_.back());
+  weight_.resize(row_begin_.back());
+  for_columns([&](int c) {
+    if (!is_whole(c)) return;
+    int e = row_begin_[c];
+    s_.rows[whole_band_[c]].matrix.for_row(c, [&](int b, float w) {
+      step_[e] = static_cast<int>((s_.start[b] - s_.start[c]) / 3);
+      weight_[e++] = w;
+    });
+  });
+}
+
 void LayeredColumns::factor() {
   pivot_.resize(s_.size() / 3);
   for_columns([&](int c) {
@@ -150,19 +171,17 @@ void LayeredColumns::find_radius() {
   radius_ = *std::max_element(radius.begin(), radius.end());
 }
 
-void LayeredColumns::multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
-                                    float* y) const {
+void LayeredColumns::multiply_whole(const float* x, int column, const float* b, float* y) const {
   const int t = whole_band_[column], low = s_.low[column];
-  const BaseMatrix::Row row = s_.rows[t].matrix.row(column);
-  const auto mass = [&](int v, const std::vector<float> LayerClass::*which) {
+  const auto mass = [&](int v, const Floats LayerClass::*which) {
     if (v < 0 || (s_.layers[v].*which).empty()) return 0.0f;
     return (s_.layers[v].*which)[column];
   };
   kernels::ColumnProduct c;
   c.x = s_.at(x, column, low);
-  c.n_streams = row.n;
-  c.streams = scratch.gather(s_, row, x, low);
-  c.weight = row.value;
+  c.neighbours = neighbours(x, column);
+  c.n_neighbours = n_neighbours(column);
+  c.weight = weight_.data() + row_begin_[column];
   c.share = s_.share.data() + 3L * low;
   c.up = up_.data() + 3L * low;
   c.down = down_.data() + 3L * low;
@@ -204,7 +223,7 @@ double LayeredColumns::multiply(int chunk, const Floats& x, Floats& y) const {
   thread_local Scratch scratch;
   for_columns(chunk, [&](int c) {
     float* out = y.data() + s_.offset[c];
-    is_whole(c) ? multiply_whole(x.data(), c, nullptr, scratch, out)
+    is_whole(c) ? multiply_whole(x.data(), c, nullptr, out)
                 : multiply_any(x.data(), c, scratch, out);
   });
   return dot(chunk, x, y);
@@ -232,7 +251,7 @@ void LayeredColumns::add_residual(const Floats& b, const Floats& x, Floats& r,
       const float* right = b.data() + s_.offset[c];
       float* out = r.data() + s_.offset[c];
       if (is_whole(c)) {
-        multiply_whole(x.data(), c, right, scratch, out);
+        multiply_whole(x.data(), c, right, out);
       } else {
         multiply_any(x.data(), c, scratch, out);
         kernels::combine(out, right, -1.0f, 1.0f, length(c));
@@ -244,18 +263,22 @@ void LayeredColumns::add_residual(const Floats& b, const Floats& x, Floats& r,
 
 void LayeredColumns::right_of(const float* b, const float* y, int column, Scratch& scratch,
                               float* out) const {
-  const auto subtract = [&](const BaseRows& rows, int first, int last) {
+  if (is_whole(column)) {
+    kernels::Neighbours others = neighbours(y, column);
+    ++others.step;  // but the diagonal
+    return kernels::subtract_weighted_sum(out, b, others, weight_.data() + row_begin_[column] + 1,
+                                          n_neighbours(column) - 1,
+                                          s_.share.data() + 3L * s_.low[column], length(column));
+  }
+  std::copy_n(b, length(column), out);
+  for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
     const BaseMatrix::Row all = rows.matrix.row(column),
                           row = {all.column + 1, all.value + 1, all.n - 1};  // but the diagonal
     const float* const* streams = scratch.gather(s_, row, y, first);
     const long from = 3L * (first - s_.low[column]);
     kernels::subtract_weighted_sum(out + from, b + from, streams, row.value, row.n,
                                    s_.share.data() + 3L * first, 3L * (last - first));
-  };
-  if (is_whole(column))
-    return subtract(s_.rows[whole_band_[column]], s_.low[column], s_.high[column] + 1);
-  std::copy_n(b, length(column), out);
-  for_free_bands(s_, column, subtract);
+  });
 }
 
 void LayeredColumns::couplings_of(int column, float* out) const {

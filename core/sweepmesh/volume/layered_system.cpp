@@ -16,6 +16,14 @@ void for_columns(std::size_t n_columns, ThreadTeam& team, F&& f) {
   });
 }
 
+/// Per level, whether a run begins or ends there.
+std::vector<char> ends_of_runs(const Extrusion& x, int first, int last) {
+  std::vector<char> is_end(last - first + 1, 0);
+  for (int c = 0; c < x.n_cells(); ++c)
+    is_end[x.cell_k_low[c] - first] = is_end[x.cell_k_high[c] - first] = 1;
+  return is_end;
+}
+
 /// Levels at which a column begins, ends, or turns from free to fixed or back, and where a run
 /// begins or ends (its last level has half of the matrix, so it is a band of its own).
 std::vector<int> find_bands(const Extrusion& x, const std::vector<char>& fixed, int first, int last,
@@ -77,44 +85,52 @@ BaseRows band_rows(const Extrusion& x, const CellsOfColumns& cells, const BaseMe
   return rows_of(build_rows(x.n_columns(), x.n_columns(), team, add_row), team);
 }
 
-/// The class of the layer above level k, whose ends are free as said.
-LayerClass layer_class(const Extrusion& x, const CellsOfColumns& cells, const BaseMetric& metric,
-                       int k, const std::vector<char>& is_free,
-                       const std::vector<char>& is_free_above, ThreadTeam& team) {
-  const std::vector<float> zero(x.n_columns(), 0.0f);
-  LayerClass layer = {zero, zero, zero};
-  for_columns(zero.size(), team, [&](int c) {
-    if (!is_free[c] && !is_free_above[c]) return;
+/// Mass of every column in the layer above level k.
+Floats masses(const Extrusion& x, const CellsOfColumns& cells, const BaseMetric& metric, int k,
+              ThreadTeam& team) {
+  Floats out(x.n_columns());
+  for_columns(out.size(), team, [&](int c) {
     double mass = 0.0;
     for (int i = cells.offset[c]; i < cells.offset[c + 1]; ++i) {
       const int cell = cells.cell[i];
       if (x.cell_k_low[cell] <= k && k < x.cell_k_high[cell])
         mass += metric.corner_mass[x.cell_offset[cell] + cells.corner[i]];
     }
-    const float m = static_cast<float>(mass);
-    layer.lower[c] = is_free[c] ? m : 0.0f;
-    layer.upper[c] = is_free_above[c] ? m : 0.0f;
-    layer.across[c] = is_free[c] && is_free_above[c] ? m : 0.0f;
+    out[c] = static_cast<float>(mass);
+  });
+  return out;
+}
+
+/// The class of a layer whose ends are free as said.
+LayerClass layer_class(const Floats& mass, const std::vector<char>& is_free,
+                       const std::vector<char>& is_free_above, ThreadTeam& team) {
+  const std::size_t n = mass.size();
+  LayerClass layer = {Floats(n), Floats(n), Floats(n)};
+  for_columns(n, team, [&](int c) {
+    layer.lower[c] = is_free[c] ? mass[c] : 0.0f;
+    layer.upper[c] = is_free_above[c] ? mass[c] : 0.0f;
+    layer.across[c] = is_free[c] && is_free_above[c] ? mass[c] : 0.0f;
   });
   return layer;
 }
 
 /// Sets the hulls of the columns from the bands in which they have a diagonal.
-void set_hulls(LayeredSystem& s) {
+void set_hulls(LayeredSystem& s, ThreadTeam& team) {
   const int n = static_cast<int>(s.rows.front().diagonal.size());
   s.low.assign(n, 0);
   s.high.assign(n, -1);
-  s.offset.assign(1, LayeredSystem::pad);
-  s.offset.reserve(n + 1);
+  s.offset.assign(n + 1, LayeredSystem::pad);
   s.start.resize(n);
-  for (int c = 0; c < n; ++c) {
+  for_columns(n, team, [&](int c) {
     for (int t = 0; t < s.n_bands(); ++t) {
       if (s.rows[t].diagonal[c] == 0.0f) continue;
       if (s.high[c] < 0) s.low[c] = s.band_begin[t];
       s.high[c] = s.band_begin[t + 1] - 1;
     }
-    s.start[c] = s.offset.back() - 3L * s.low[c];
-    s.offset.push_back(s.offset.back() + 3L * (s.high[c] - s.low[c] + 1));
+  });
+  for (int c = 0; c < n; ++c) {
+    s.start[c] = s.offset[c] - 3L * s.low[c];
+    s.offset[c + 1] = s.offset[c] + 3L * (s.high[c] - s.low[c] + 1);
   }
 }
 
@@ -227,10 +243,10 @@ std::vector<int> make_aggregates(const Couplings& couplings, int& n_aggregates) 
 }
 
 /// R diag(mass) P 1 for the restriction R and the row sums of the prolongation P.
-std::vector<float> restricted(const BaseMatrix& restriction, const std::vector<double>& row_sum,
-                              const std::vector<float>& mass, ThreadTeam& team) {
+Floats restricted(const BaseMatrix& restriction, const std::vector<double>& row_sum,
+                  const Floats& mass, ThreadTeam& team) {
   if (mass.empty()) return {};
-  std::vector<float> out(restriction.n_rows);
+  Floats out(restriction.n_rows);
   for_columns(out.size(), team, [&](int c) {
     double sum = 0.0;
     restriction.for_row(c, [&](int b, double v) { sum += v * mass[b] * row_sum[b]; });
@@ -249,8 +265,15 @@ LayeredSystem make_layered_system(const Extrusion& extrusion, const CellsOfColum
   const int last = s.k_first + static_cast<int>(metric.height.size());
   s.band_begin = find_bands(extrusion, fixed, s.k_first, last, team);
   set_layers(metric, s);
+  const std::vector<char> is_end = ends_of_runs(extrusion, s.k_first, last);
+  Floats mass = masses(extrusion, cells, metric, s.k_first, team);
+  int mass_level = s.k_first;
   const auto layers_above = [&](int k, const auto& is_free, const auto& is_free_above) {
-    s.layers.push_back(layer_class(extrusion, cells, metric, k, is_free, is_free_above, team));
+    const auto first = is_end.begin() - s.k_first;
+    if (std::any_of(first + mass_level + 1, first + k + 1, [](char is) { return is != 0; }))
+      mass = masses(extrusion, cells, metric, k, team);
+    mass_level = k;
+    s.layers.push_back(layer_class(mass, is_free, is_free_above, team));
   };
   std::vector<char> is_free = free_columns(extrusion, fixed, s.k_first, team);
   for (std::size_t t = 0; t + 1 < s.band_begin.size(); ++t) {
@@ -265,7 +288,7 @@ LayeredSystem make_layered_system(const Extrusion& extrusion, const CellsOfColum
     layers_above(above - 1, is_free, is_free_above);
     is_free = std::move(is_free_above);
   }
-  set_hulls(s);
+  set_hulls(s, team);
   return s;
 }
 
@@ -304,13 +327,13 @@ LayeredSystem make_coarser(const LayeredSystem& fine, const BaseMatrix& prolonga
     // empty.
     s.rows.push_back(
         rows_of(square_product(restriction, product(rows.matrix, prolongation, team), team), team));
-  const auto restrict_mass = [&](const std::vector<float>& mass) {
+  const auto restrict_mass = [&](const Floats& mass) {
     return restricted(restriction, row_sum, mass, team);
   };
   for (const LayerClass& layer : fine.layers)
     s.layers.push_back(
         {restrict_mass(layer.across), restrict_mass(layer.lower), restrict_mass(layer.upper)});
-  set_hulls(s);
+  set_hulls(s, team);
   return s;
 }
 

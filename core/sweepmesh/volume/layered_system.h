@@ -29,13 +29,13 @@ namespace sweepmesh {
 /// Vertical couplings of one class of layers, a value per column: of the two nodes with each other,
 /// and the parts of the diagonal of the lower and the upper one. Empty: no layer is of this class.
 struct LayerClass {
-  std::vector<float> across, lower, upper;
+  Floats across, lower, upper;
 };
 
 /// A base matrix, rows and columns of free nodes only, with the diagonal first in every row.
 struct BaseRows {
   BaseMatrix matrix;
-  std::vector<float> diagonal;  ///< 0: not free in this band
+  Floats diagonal;  ///< 0: not free in this band
 };
 
 struct LayeredSystem {

@@ -160,7 +160,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   assert(static_cast<long>(fixed.size()) == extrusion.n_nodes());
   PlacementReport report;
   if (extrusion.n_elements() == 0) return report;
-  ThreadTeam team(context.n_threads());
+  ThreadTeam& team = team_of(context);
   context.report(0.0, "Placing the interior nodes");
   BaseMetric metric = make_layer_heights(extrusion, fixed, points, team);
   if (options.method != PlacementMethod::harmonic_residual) {
