@@ -103,26 +103,32 @@ def slot_turns_in_steps(source):
     return minus(body, hole), UPRIGHT, {"long": long, "short": short, "height": height, "turn": turn}
 
 
-def leaning_path(lean, height):
-    """(x, z, angle of the way) of a path that goes up, leans over by `lean` half way and goes up again, around x = 0."""
-    count, width = 240, 0.15
+def leaning_path(lean, height, width=0.15):
+    """(x, z, angle of the way) of a path that goes up, leans over by `lean` in the middle and goes up again, around x = 0,
+    and the least radius of its bends. `width` is the share of the way that leans. ValueError where it does not get up."""
+    count = 240
     angles = [lean * math.exp(-(((i + 0.5) / count - 0.5) / width) ** 2) for i in range(count)]
-    unit = height / sum(math.cos(a) for a in angles)
+    rise = sum(math.cos(a) for a in angles)
+    if rise < 0.15 * count:
+        raise ValueError("the path gets nowhere")
+    unit = height / rise
     path = [(0.0, 0.0, 0.0)]
     for angle in angles:
         x, z, _ = path[-1]
         path.append((x + unit * math.sin(angle), z + unit * math.cos(angle), angle))
     path[-1] = (path[-1][0], height, 0.0)
     far = path[-1][0] / 2
-    return [(x - far, z, a) for x, z, a in path[:: count // (2 * SECTIONS)]]
+    radius = unit / max(abs(b - a) for a, b in zip(angles, angles[1:]))
+    return [(x - far, z, a) for x, z, a in path[:: count // (2 * SECTIONS)]], radius
 
 
 def winding_hole(source):
-    """A round hole leans over by up to 165 degrees on its way up, so it may run back, in a barrel without straight walls."""
-    height, radius, lean = 70, source.uniform(3, 5.5), math.radians(source.uniform(30, 165))
-    path = leaning_path(lean, height)
-    width, bulge = source.choice((30, 50)), source.uniform(6, 12)
-    long = 2 * abs(path[0][0]) + source.uniform(24, 50)
+    """A round hole leans over by up to 165 degrees on its way up, so it may run back, in a block or a barrel."""
+    height, lean = 70, math.radians(source.uniform(30, 165))
+    path, least = leaning_path(lean, height, source.uniform(0.12, 0.3))
+    radius = min(source.uniform(3, 7), 0.6 * least)
+    width, bulge = source.choice((30, 50)), source.choice((0, 9))
+    long = 2 * max(abs(x) for x, _, _ in path) + source.uniform(24, 50)
     rings = []
     for x, z, a in path:
         rings.append([vec(x + px * math.cos(a), py, z - px * math.sin(a)) for px, py, _ in disc(radius, 0, 0, 0)])
@@ -130,8 +136,32 @@ def winding_hole(source):
     for t in steps(8):
         grow = bulge * 4 * t * (1 - t)
         outer.append(at_height(slot(long + 2 * grow, width + 2 * grow), height * t))
-    numbers = {"radius": radius, "lean": math.degrees(lean), "width": width}
+    drop = max(a[1] - b[1] for i, a in enumerate(path) for b in path[i:])
+    numbers = {"radius": radius, "lean": math.degrees(lean), "width": width, "bulge": bulge, "drop": drop}
     return minus(polygon_prism(outer), ring_prism(rings)), UPRIGHT, numbers
+
+
+def overhang(source):
+    """A round bar whose wall goes outwards all around, leaning by up to 165 degrees, so it may hang over."""
+    height, lean = 60, math.radians(source.uniform(30, 165))
+    path, _ = leaning_path(lean, height, source.uniform(0.12, 0.3))
+    inner = source.uniform(8, 25) - path[0][0]
+    rings = [disc(inner + x, 0, 0, z) for x, z, _ in path]
+    return ring_prism(rings), UPRIGHT, {"lean": math.degrees(lean), "inner": inner + path[0][0]}
+
+
+def leaning_wall(source):
+    """One wall of a barrel goes outwards, leaning by up to 165 degrees."""
+    height, lean, bulge = 60, math.radians(source.uniform(30, 165)), source.uniform(5, 10)
+    path, _ = leaning_path(lean, height, source.uniform(0.12, 0.3))
+    width, long = source.uniform(20, 50), source.uniform(20, 50)
+    sections = []
+    for i, (x, z, _) in enumerate(path):
+        t = i / (len(path) - 1)
+        grow, wall = bulge * 4 * t * (1 - t), long + x - path[0][0]
+        y, up = width / 2 + grow, height * t
+        sections.append([vec(-grow, -y, up), vec(wall, -y, z), vec(wall, y, z), vec(-grow, y, up)])
+    return polygon_prism(sections), UPRIGHT, {"lean": math.degrees(lean), "width": width, "long": long}
 
 
 def braid(source):
@@ -215,6 +245,8 @@ FAMILIES = {
     "slot_turns": slot_turns,
     "slot_turns_in_steps": slot_turns_in_steps,
     "winding_hole": winding_hole,
+    "overhang": overhang,
+    "leaning_wall": leaning_wall,
     "braid": braid,
     "moving_hole": moving_hole,
     "bar_turns": bar_turns,

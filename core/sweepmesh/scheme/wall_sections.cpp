@@ -28,9 +28,7 @@ bool contains(const std::vector<Point3>& ring, const Point3& normal, const Point
   double angle = 0.0;
   for (std::size_t j = 0; j < ring.size(); ++j) {
     const Point3 along = normal.normalized();
-    const auto flat = [&](const Point3& q) -> Point3 {
-      return q - p - along * along.dot(q - p);
-    };
+    const auto flat = [&](const Point3& q) -> Point3 { return q - p - along * along.dot(q - p); };
     const Point3 a = flat(ring[j]), b = flat(ring[(j + 1) % ring.size()]);
     angle += std::atan2(a.cross(b).dot(along), a.dot(b));
   }

@@ -1,13 +1,13 @@
 // The walls of a sweep as rings of columns: what a bound on folding looks at.
 //
 // Between two neighbouring levels the cross-section of a solid does not change its topology. Its
-// walls are the linking faces there; the columns of their structured coordinates, cut at every layer,
-// make closed rings, which lie over each other column by column:
+// walls are the linking faces there; the columns of their structured coordinates, cut at every
+// layer, make closed rings, which lie over each other column by column:
 //
-//      k_high  o------o------o      layers[k - k_low][j]: column j at layer k. The material is on the
-//              |      |      |      left of j -> j + 1 seen from above (larger k): the outer ring runs
-//              o------o------o      counterclockwise, the rings of holes clockwise.
-//              |      |      |
+//      k_high  o------o------o      layers[k - k_low][j]: column j at layer k. The material is on
+//      the
+//              |      |      |      left of j -> j + 1 seen from above (larger k): the outer ring
+//              runs o------o------o      counterclockwise, the rings of holes clockwise. |      | |
 //       k_low  o------o------o
 //              j
 #pragma once
