@@ -105,7 +105,8 @@ def slot_turns_in_steps(source):
 
 def leaning_path(lean, height, width=0.15):
     """(x, z, angle of the way) of a path that goes up, leans over by `lean` in the middle and goes up again, around x = 0,
-    and the least radius of its bends. `width` is the share of the way that leans. ValueError where it does not get up."""
+    and the least radius of its bends. `width` is the share of the way that leans. ValueError where it does not
+    get up, or leaves the heights between its ends."""
     count = 240
     angles = [lean * math.exp(-(((i + 0.5) / count - 0.5) / width) ** 2) for i in range(count)]
     rise = sum(math.cos(a) for a in angles)
@@ -117,6 +118,8 @@ def leaning_path(lean, height, width=0.15):
         x, z, _ = path[-1]
         path.append((x + unit * math.sin(angle), z + unit * math.cos(angle), angle))
     path[-1] = (path[-1][0], height, 0.0)
+    if min(z for _, z, _ in path) < 0 or max(z for _, z, _ in path) > height:
+        raise ValueError("the path leaves the solid")
     far = path[-1][0] / 2
     radius = unit / max(abs(b - a) for a, b in zip(angles, angles[1:]))
     return [(x - far, z, a) for x, z, a in path[:: count // (2 * SECTIONS)]], radius

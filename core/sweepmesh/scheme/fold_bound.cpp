@@ -195,7 +195,9 @@ class Winder {
     track.add(angle, faces);
     track.faces.insert(others.begin(), others.end());
     if (std::abs(track.sum) > largest_.angle)
-      largest_ = {std::abs(track.sum), {track.faces.begin(), track.faces.end()}};
+      largest_ = {std::abs(track.sum),
+                  holes.first != holes.second,
+                  {track.faces.begin(), track.faces.end()}};
   }
 
   std::vector<std::set<int>> columns_;  ///< by number of a hole, in the last slab that it was seen

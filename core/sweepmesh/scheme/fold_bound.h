@@ -31,6 +31,7 @@ inline constexpr double kSafeWinding = 140.0 * std::numbers::pi / 180.0;
 /// A hole that turns around itself, or two that turn around each other.
 struct Winding {
   double angle = 0.0;         ///< |W|, radians
+  bool is_of_two = false;     ///< two holes, around each other
   std::vector<FaceId> faces;  ///< linking faces of the hole, or of both, ascending
 };
 

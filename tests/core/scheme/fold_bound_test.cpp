@@ -105,6 +105,7 @@ TEST(FoldBound, two_holes_wind_around_each_other) {
         {0, kLayers, outer(), {going_round(a, {15, 0, 0}, 100), going_round(a, {-15, 0, 0}, 200)}}};
     const Winding winding = largest_winding(sections);
     EXPECT_NEAR(winding.angle / kDegree, std::abs(angle), 1e-6);
+    EXPECT_TRUE(winding.is_of_two);
     EXPECT_EQ(winding.faces, (std::vector<FaceId>{FaceId{100}, FaceId{200}}));
   }
 }
@@ -115,8 +116,8 @@ TEST(FoldBound, one_hole_that_goes_round_does_not_wind) {
 
 TEST(FoldBound, winding_adds_up_over_slabs) {
   const auto slab = [](double from, double to) {
-    return WallSection{0, 1, outer(still, from, to),
-                       {spinning(280 * kDegree, Point3::Zero(), 100, from, to)}};
+    return WallSection{
+        0, 1, outer(still, from, to), {spinning(280 * kDegree, Point3::Zero(), 100, from, to)}};
   };
   EXPECT_NEAR(degrees({slab(0.0, 0.5)}), 140.0, 1e-6);
   EXPECT_NEAR(degrees({slab(0.0, 0.3), slab(0.3, 0.8), slab(0.8, 1.0)}), 280.0, 1e-6);
@@ -124,8 +125,8 @@ TEST(FoldBound, winding_adds_up_over_slabs) {
 
 TEST(FoldBound, other_holes_above_do_not_add_up) {
   const auto slab = [](double from, double to, int first) {
-    return WallSection{0, 1, outer(still, from, to),
-                       {spinning(280 * kDegree, Point3::Zero(), first, from, to)}};
+    return WallSection{
+        0, 1, outer(still, from, to), {spinning(280 * kDegree, Point3::Zero(), first, from, to)}};
   };
   EXPECT_NEAR(degrees({slab(0.0, 0.5, 100), slab(0.5, 1.0, 200)}), 140.0, 1e-6);
 }
@@ -158,9 +159,10 @@ TEST(WallSections, holes_go_to_the_smallest_ring_around_them) {
     return ring(radius, {x, 0, 0}, is_hole, first, still);
   };
   // Two parts, one within the hole of the other, and a hole in each; one hole in neither.
-  const auto sections = joined_to_sections(
-      0, kLayers, {at(0, 5, true, 1), at(0, 40, false, 2), at(0, 20, true, 3), at(0, 10, false, 4),
-                   at(90, 5, true, 5)});
+  const auto sections =
+      joined_to_sections(0, kLayers,
+                         {at(0, 5, true, 1), at(0, 40, false, 2), at(0, 20, true, 3),
+                          at(0, 10, false, 4), at(90, 5, true, 5)});
   ASSERT_EQ(sections.size(), 2u);
   EXPECT_EQ(sections[0].outer.columns.front(), 2);
   ASSERT_EQ(sections[0].holes.size(), 1u);
