@@ -125,23 +125,31 @@ def leaning_path(lean, height, width=0.15):
     return [(x - far, z, a) for x, z, a in path[:: count // (2 * SECTIONS)]], radius
 
 
-def winding_hole(source):
-    """A round hole leans over by up to 165 degrees on its way up, so it may run back, in a block or a barrel."""
-    height, lean = 70, math.radians(source.uniform(30, 165))
-    path, least = leaning_path(lean, height, source.uniform(0.12, 0.3))
-    radius = min(source.uniform(3, 7), 0.6 * least)
-    width, bulge = source.choice((30, 50)), source.choice((0, 9))
-    long = 2 * max(abs(x) for x, _, _ in path) + source.uniform(24, 50)
-    rings = []
-    for x, z, a in path:
-        rings.append([vec(x + px * math.cos(a), py, z - px * math.sin(a)) for px, py, _ in disc(radius, 0, 0, 0)])
+def leaning_hole(path, radius, width, room, bulge):
+    """A round hole along a path, in a block (or a barrel, with a bulge) with some room beyond the path's ends."""
+    height, long = path[-1][1], 2 * max(abs(x) for x, _, _ in path) + room
+    rings = [
+        [vec(x + p.x * math.cos(a), p.y, z - p.x * math.sin(a)) for p in disc(radius, 0, 0, 0)] for x, z, a in path
+    ]
+    hole = ring_prism(rings)
+    if bulge == 0:
+        return minus(box(-long / 2, long / 2, -width / 2, width / 2, 0, height), hole)
     outer = []
     for t in steps(8):
         grow = bulge * 4 * t * (1 - t)
         outer.append(at_height(slot(long + 2 * grow, width + 2 * grow), height * t))
+    return minus(polygon_prism(outer), hole)
+
+
+def winding_hole(source):
+    """A round hole leans over by up to 165 degrees on its way up, so it may run back, in a block or a barrel."""
+    lean = math.radians(source.uniform(30, 165))
+    path, least = leaning_path(lean, 70, source.uniform(0.12, 0.3))
+    radius, width = min(source.uniform(3, 7), 0.6 * least), source.choice((30, 50))
+    bulge, room = source.choice((0, 9)), source.uniform(24, 50)
     drop = max(a[1] - b[1] for i, a in enumerate(path) for b in path[i:])
     numbers = {"radius": radius, "lean": math.degrees(lean), "width": width, "bulge": bulge, "drop": drop}
-    return minus(polygon_prism(outer), ring_prism(rings)), UPRIGHT, numbers
+    return leaning_hole(path, radius, width, room, bulge), UPRIGHT, numbers
 
 
 def overhang(source):
