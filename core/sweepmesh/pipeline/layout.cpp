@@ -65,7 +65,7 @@ bool is_fault_of_layout(const Error& error) {
 }
 
 Assessment without_layout(Reason fault) {
-  fault.text += " Cut the solid there, or pick other sources and targets.";
+  fault.text += " Cut the solid there.";
   return {{}, {std::move(fault)}};
 }
 
