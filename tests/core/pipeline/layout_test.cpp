@@ -10,10 +10,10 @@
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "solids.h"
-#include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
 #include "sweepmesh/pipeline/plan.h"
 #include "sweepmesh/pipeline/sweep.h"
@@ -23,14 +23,14 @@
 namespace sweepmesh {
 namespace {
 
-/// A square bar bent by a right angle, with a boss of half its width on one end: two sources over
+/// A square bar bent to a U, with a boss of half its width on one end: two sources over
 /// one target along a bent path, whose curves have no common direction to be imprinted along.
 Model bent_bar_with_boss() {
   BRepBuilderAPI_MakePolygon square(gp_Pnt(20, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30, 0, 10),
                                     gp_Pnt(20, 0, 10), true);
   const TopoDS_Shape bar =
       BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(square.Wire()).Face(),
-                            gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), std::numbers::pi / 2)
+                            gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), std::numbers::pi)
           .Shape();
   const TopoDS_Shape boss = BRepPrimAPI_MakeBox(gp_Pnt(20, -5, 0), gp_Pnt(25, 1, 10)).Shape();
   ShapeUpgrade_UnifySameDomain unify(BRepAlgoAPI_Fuse(bar, boss).Shape(), true, true, false);
@@ -38,29 +38,51 @@ Model bent_bar_with_boss() {
   return test::to_model(unify.Shape());
 }
 
-class BentBarWithBoss : public testing::Test {
- protected:
-  const Model model_ = bent_bar_with_boss();
-  Context context_;
-};
+/// Faces in the plane y = `value`, with the wished sign of x.
+std::vector<FaceId> faces_at(const Model& model, double value, double sign) {
+  std::vector<FaceId> out;
+  for (const FaceId f : model.faces()) {
+    const auto& loop = model.loops(f).front();
+    if (std::ranges::all_of(loop, [&](const Coedge& c) {
+          const Point3 p = model.point(c.start);
+          return std::abs(p.y() - value) < 1e-6 && sign * p.x() > 0;
+        }))
+      out.push_back(f);
+  }
+  return out;
+}
 
-TEST_F(BentBarWithBoss, TypesAllowASweepThatHasNoLayout) {
-  Assessment verdict = assess(model_, {}, context_);
-  const std::size_t n = verdict.schemes.size();
-  refuse_without_layout(model_, context_, verdict);
-  EXPECT_EQ(verdict.schemes.size(), n) << "one that can be laid out is enough";
-  std::erase_if(verdict.schemes, [&](const Scheme& scheme) {
-    return !layout_fault(model_, scheme, {}, context_, true);
-  });
-  ASSERT_FALSE(verdict.schemes.empty());
-  ASSERT_LT(verdict.schemes.size(), n);
-  refuse_without_layout(model_, context_, verdict);
+TEST(Layout, ASweepThatTypesAllowMayHaveNone) {
+  const Model model = bent_bar_with_boss();
+  Context context;
+  Picks along_the_bar;
+  for (const double y : {0.0, -5.0})
+    for (const FaceId f : faces_at(model, y, 1)) along_the_bar.sources.push_back(f);
+  along_the_bar.targets = faces_at(model, 0.0, -1);
+  ASSERT_EQ(along_the_bar.sources.size(), 2u);
+  ASSERT_EQ(along_the_bar.targets.size(), 1u);
+  Assessment verdict = assess(model, along_the_bar, context);
+  ASSERT_TRUE(verdict.is_sweepable());
+  const auto fault = layout_fault(model, verdict.schemes.front(), {}, context, true);
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_FALSE(fault->is_of_size);
+  refuse_without_layout(model, context, verdict);
   ASSERT_FALSE(verdict.is_sweepable());
   ASSERT_EQ(verdict.reasons.size(), 1u);
   const Reason& reason = verdict.reasons.front();
   EXPECT_EQ(reason.kind, ReasonKind::geometric);
   EXPECT_FALSE(reason.entities.empty());
   EXPECT_TRUE(reason.text.ends_with("Cut the solid there."));
+}
+
+TEST(Layout, OneSchemeThatHasOneIsEnough) {
+  const Model model = bent_bar_with_boss();  // along z nothing is bent
+  Context context;
+  Assessment verdict = assess(model, {}, context);
+  const std::size_t n = verdict.schemes.size();
+  ASSERT_GT(n, 0u);
+  refuse_without_layout(model, context, verdict);
+  EXPECT_EQ(verdict.schemes.size(), n);
 }
 
 /// Verdict, plan and run say the same.
