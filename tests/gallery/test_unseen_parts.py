@@ -138,3 +138,18 @@ def test_a_cusp_is_named():
     result = meshed(shape)
     assert least(result) < 0.2
     assert any("own angles" in w and "Vertex" in w for w in result.warnings)
+
+
+def junction(outer, bore, across, across_bore):
+    """Two pipes that cross: solid ones united, then bored."""
+    y = vec(0, 1, 0)
+    solid = union(rod(outer, vec(0, 0, -36), 72), rod(across, vec(0, -38, 0), 76, y))
+    return minus(solid, union(rod(bore, vec(0, 0, -36), 72), rod(across_bore, vec(0, -38, 0), 76, y)))
+
+
+@pytest.mark.parametrize("radii", [(20, 14, 12, 7), (20, 14, 17, 12), (20, 17.5, 12, 10)])
+def test_crossing_pipes_are_swept_through_their_walls(radii):
+    result = meshed(junction(*radii))
+    assert least(result) > 0.4
+    ends = [face for face, role in result.assessment.roles.items() if role == "linking"]
+    assert len(ends) == 4

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "sweepmesh/imprint/overlay.h"
 #include "sweepmesh/imprint/patches.h"
@@ -17,19 +18,11 @@ namespace {
 constexpr double coincidence_of_size = 1e-3;  ///< what CAD models leave apart is far below this
 
 /// In element sizes. Well below the shortest curve, too: both of its ends must not become one.
-double coincidence(const Model& model, const Walls& walls, const ImprintOptions& options) {
+double coincidence(const Model& model, const Walls& walls, double size) {
   constexpr double safety = 3.0, share_of_edge = 0.1;
   double out = coincidence_of_size;
-  for (const EdgeId e : walls.edges)
-    out = std::min(out, share_of_edge * model.length(e) / options.size);
-  return std::max(safety * model.tolerances().point / options.size, out);
-}
-
-void check(const ImprintOptions& options) {
-  if (!(options.size > 0.0) || !std::isfinite(options.size))
-    throw InputError("imprint", "The element size must be positive.");
-  if (!(options.merge_fraction >= 0.0 && options.merge_fraction <= 1.0))
-    throw InputError("imprint", "The merge fraction must lie between 0 and 1.");
+  for (const EdgeId e : walls.edges) out = std::min(out, share_of_edge * model.length(e) / size);
+  return std::max(safety * model.tolerances().point / size, out);
 }
 
 double upright_area(const Model& model, const Walls& walls, const Reference& seen) {
@@ -76,22 +69,37 @@ void refuse_runaways(const Model& model, const Reference& reference) {
 
 }  // namespace
 
-Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
-                     const Context& context) {
-  check(options);
+ImprintBasis imprint_basis(const Model& model, const Scheme& scheme, double size,
+                           const Context& context) {
+  if (!(size > 0.0) || !std::isfinite(size))
+    throw InputError("imprint", "The element size must be positive.");
   const std::vector<int> level = sweep_levels(model, scheme);
-  const Walls walls = find_walls(model, scheme, level);
-  const double tolerance = coincidence(model, walls, options);
-  const Reference reference =
-      reference_of(model, scheme, walls, level, tolerance, options.size, context);
+  Walls walls = find_walls(model, scheme, level);
+  const double tolerance = coincidence(model, walls, size);
+  Reference reference = reference_of(model, scheme, walls, level, tolerance, size, context);
   refuse_runaways(model, reference);
+  return {std::move(walls), std::move(reference)};
+}
+
+Imprint imprint_on(const ImprintBasis& basis, const Model& model, const Scheme& scheme,
+                   double merge_fraction, const Context& context) {
+  if (!(merge_fraction >= 0.0 && merge_fraction <= 1.0))
+    throw InputError("imprint", "The merge fraction must lie between 0 and 1.");
+  const auto& [walls, reference] = basis;
   // What lies apart by the limit itself, but for the lattice, is kept apart everywhere.
-  const double merge = std::max(tolerance, options.merge_fraction - tolerance / 2);
+  const double tolerance = reference.coincidence;
+  const double merge = std::max(tolerance, merge_fraction - tolerance / 2);
   Imprint out =
       imprint_of(model, scheme, walls, overlay(model, scheme, walls, reference, merge, context));
-  out.unit = options.size;
+  out.unit = reference.unit;
   for (Merge& m : out.merges) m.distance *= out.unit;
   return out;
+}
+
+Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
+                     const Context& context) {
+  return imprint_on(imprint_basis(model, scheme, options.size, context), model, scheme,
+                    options.merge_fraction, context);
 }
 
 }  // namespace sweepmesh

@@ -5,6 +5,8 @@
 
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/imprint/imprint.h"
+#include "sweepmesh/imprint/reference.h"
+#include "sweepmesh/imprint/walls.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/scheme/scheme.h"
 
@@ -17,8 +19,23 @@ struct ImprintOptions {
   double merge_fraction = 0.25;
 };
 
-/// Divides the caps into patches.
-/// Throws ImprintError, InputError (options) and SolverError. See docs/imprinting.md.
+/// What imprints of all distances of merging have in common, and most of their cost where curves
+/// have to be carried from level to level.
+struct ImprintBasis {
+  Walls walls;
+  Reference reference;  ///< its unit is the element size
+};
+
+/// `size` > 0: wished length of a mesh edge. Throws ImprintError (unreachable) and InputError.
+ImprintBasis imprint_basis(const Model& model, const Scheme& scheme, double size,
+                           const Context& context);
+
+/// Divides the caps into patches; `merge_fraction` as in ImprintOptions.
+/// Throws ImprintError, InputError and SolverError. See docs/imprinting.md.
+Imprint imprint_on(const ImprintBasis& basis, const Model& model, const Scheme& scheme,
+                   double merge_fraction, const Context& context);
+
+/// Both in one.
 Imprint imprint_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
                      const Context& context);
 

@@ -32,6 +32,13 @@ class MeanValueField {
   struct Segment {
     Point2 from[2], to[2];
   };
+  struct Nearest {
+    const Segment* segment = nullptr;
+    double share = 0.0;  ///< of the segment, from its start
+    double distance = 0.0;
+  };
+  Nearest nearest(const Point2& p) const;
+
   double tolerance_;
   std::vector<Segment> segments_;
 };

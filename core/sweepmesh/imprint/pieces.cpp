@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sweepmesh/imprint/nearest_search.h"
+
 namespace sweepmesh {
 namespace {
 
@@ -86,8 +88,9 @@ void absorb(PieceGraph& graph, int kept, int gone) {
 bool are_within(const Polyline& a, const Polyline& b, double distance) {
   constexpr int n_parts = 16;
   const auto is_one_way = [&](const Polyline& from, const Polyline& to) {
+    const NearestSearch nearest_on(to);
     for (const PolylinePoint& p : resampled(from, length(from) / n_parts))
-      if (nearest(to, p.point).distance > distance) return false;
+      if (nearest_on(p.point).distance > distance) return false;
     return true;
   };
   return is_one_way(a, b) && is_one_way(b, a);
@@ -95,6 +98,7 @@ bool are_within(const Polyline& a, const Polyline& b, double distance) {
 
 std::vector<Stretch> near_stretches(const Polyline& a, const Polyline& b, double distance) {
   std::vector<Stretch> out;
+  const NearestSearch nearest_on_b(b);
   const std::vector<double> arcs = arc_lengths(a);
   const double total = arcs.back(), least_step = distance / 4;
   std::size_t i = 0;
@@ -107,7 +111,7 @@ std::vector<Stretch> near_stretches(const Polyline& a, const Polyline& b, double
   for (double arc = 0.0;;) {
     // The distance changes by no more than the arc, so what it is ahead of the limit can be
     // skipped.
-    const double d = nearest(b, place_at(arc)).distance;
+    const double d = nearest_on_b(place_at(arc)).distance;
     const bool is_near = d < distance;
     if (is_near && !is_inside) out.push_back({arc, arc});
     if (is_near) out.back().last = arc;

@@ -30,27 +30,34 @@ PolylinePoint at_position(const Polyline& line, double position) {
   const std::size_t last = line.size() - 2;
   const std::size_t i = std::min(static_cast<std::size_t>(std::max(position, 0.0)), last);
   const double f = std::clamp(position - static_cast<double>(i), 0.0, 1.0);
-  const std::vector<double> arcs = arc_lengths(line);
-  return {line[i] + f * (line[i + 1] - line[i]), arcs[i] + f * (arcs[i + 1] - arcs[i]),
+  double arc = 0.0, next = 0.0;
+  for (std::size_t j = 0; j <= i; ++j) {
+    arc = next;
+    next += (line[j + 1] - line[j]).norm();
+  }
+  return {line[i] + f * (line[i + 1] - line[i]), arc + f * (next - arc),
           static_cast<double>(i) + f};
 }
 
+Point2 point_at(const Polyline& line, double position) {
+  const std::size_t last = line.size() - 2;
+  const std::size_t i = std::min(static_cast<std::size_t>(std::max(position, 0.0)), last);
+  const double f = std::clamp(position - static_cast<double>(i), 0.0, 1.0);
+  return line[i] + f * (line[i + 1] - line[i]);
+}
+
 PolylinePoint nearest(const Polyline& line, const Point2& p) {
-  PolylinePoint best;
-  double least = std::numeric_limits<double>::infinity(), arc = 0.0;
+  SegmentPlace least{0.0, std::numeric_limits<double>::infinity()};
+  std::size_t best = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Point2 d = line[i + 1] - line[i];
-    const double squared = d.squaredNorm(), step = std::sqrt(squared);
-    const double f = squared > 0.0 ? std::clamp((p - line[i]).dot(d) / squared, 0.0, 1.0) : 0.0;
-    const Point2 foot = line[i] + f * d;
-    const double distance = (p - foot).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      best = {foot, arc + f * step, static_cast<double>(i) + f, std::sqrt(distance)};
-    }
-    arc += step;
+    const SegmentPlace place = nearest_on_segment(line[i], line[i + 1], p);
+    if (place.squared >= least.squared) continue;
+    least = place;
+    best = i;
   }
-  return best;
+  PolylinePoint out = at_position(line, static_cast<double>(best) + least.share);
+  out.distance = std::sqrt(least.squared);
+  return out;
 }
 
 std::vector<PolylinePoint> resampled(const Polyline& line, double spacing) {

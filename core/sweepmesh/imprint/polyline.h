@@ -22,9 +22,23 @@ struct PolylinePoint {
   double distance = 0.0;  ///< from the point asked for, where there was one
 };
 
+/// The place on a segment that is nearest to a point.
+struct SegmentPlace {
+  double share = 0.0;    ///< of the segment, from its start
+  double squared = 0.0;  ///< distance from the point
+};
+inline SegmentPlace nearest_on_segment(const Point2& start, const Point2& end, const Point2& p) {
+  const Point2 d = end - start, off = p - start;
+  const double whole = d.squaredNorm(), along = off.dot(d);
+  const double share = along <= 0.0 ? 0.0 : along >= whole ? 1.0 : along / whole;
+  return {share, (off - share * d).squaredNorm()};
+}
+
 PolylinePoint at_arc(const Polyline& line, double arc);
 PolylinePoint at_position(const Polyline& line, double position);
 PolylinePoint nearest(const Polyline& line, const Point2& p);
+/// at_position without the arc: as quick for long lines as for short ones.
+Point2 point_at(const Polyline& line, double position);
 
 /// Points at most `spacing` of arc apart, both ends and all corners included, with their arcs.
 std::vector<PolylinePoint> resampled(const Polyline& line, double spacing);

@@ -126,6 +126,36 @@ std::vector<OutlinePart> joined_loops(const std::vector<OutlinePart>& parts, dou
   return loops;
 }
 
+namespace {
+
+struct Side {
+  Point2 start, end;  // that with the smaller x first
+
+  /// Whether both ends of another side lie clearly on different sides of the line of this one.
+  bool parts(const Side& other, double tolerance) const {
+    const Point2 d = end - start;
+    const double a = cross2(d, other.start - start), b = cross2(d, other.end - start);
+    const double least = tolerance * d.norm();
+    return std::max(a, b) > least && std::min(a, b) < -least;
+  }
+};
+
+}  // namespace
+
+bool is_crossed(const std::vector<OutlinePart>& loops, double tolerance) {
+  std::vector<Side> sides;
+  for (const OutlinePart& l : loops)
+    for (std::size_t i = 0; i + 1 < l.to.size(); ++i) {
+      const Point2 &a = l.to[i], &b = l.to[i + 1];
+      sides.push_back(a.x() < b.x() ? Side{a, b} : Side{b, a});
+    }
+  std::ranges::sort(sides, {}, [](const Side& s) { return s.start.x(); });
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; j < sides.size() && sides[j].start.x() < sides[i].end.x(); ++j)
+      if (sides[i].parts(sides[j], tolerance) && sides[j].parts(sides[i], tolerance)) return true;
+  return false;
+}
+
 bool is_inside(const std::vector<OutlinePart>& loops, const Point2& p) {
   bool inside = false;
   for (const OutlinePart& l : loops)
@@ -198,20 +228,58 @@ Point2 image_in(const PlanarMesh& mesh, const std::vector<Point2>& images, const
 
 }  // namespace
 
-std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
-                                   const std::vector<Point2>& points, double spacing,
-                                   const Context& context) {
+namespace {
+
+/// A section triangulated with given points as its first inner nodes.
+SectionOutline triangulated(const std::vector<OutlinePart>& loops,
+                            const std::vector<Point2>& points, double spacing) {
   const std::vector<OutlinePart> scaled = in_spacings(loops, spacing);
   SectionOutline section = outline_of(scaled);
   PlanarMesh& mesh = section.mesh;
   for (const Point2& p : in_spacings(points, spacing)) mesh.points.push_back(p);
   add_grid(scaled, mesh.points);
-  for (const Triangle& t : constrained_delaunay(mesh.points, section.loops)) mesh.add_cell(t);
+  const auto triangles = constrained_delaunay(mesh.points, section.loops);
+  for (const Triangle& t : with_chords_split(triangles, mesh.n_boundary, mesh.points))
+    mesh.add_cell(t);
+  return section;
+}
+
+/// Those of the given points, in lengths of the model.
+std::vector<Point2> images_of(const std::vector<Point2>& all, const SectionOutline& section,
+                              std::size_t n_points, double spacing) {
+  const auto first = all.begin() + section.mesh.n_boundary;
+  std::vector<Point2> out(first, first + static_cast<std::ptrdiff_t>(n_points));
+  for (Point2& p : out) p *= spacing;
+  return out;
+}
+
+bool has_folds(const PlanarMesh& mesh, const std::vector<Point2>& images) {
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    if (scaled_jacobian(images, mesh.cell(c)) <= 0.0) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
+                                   const std::vector<Point2>& points, double spacing,
+                                   const Context& context) {
+  const SectionOutline section = triangulated(loops, points, spacing);
   MapOptions options;
   options.poor = 0.0;  // slivers do no harm to what is carried
-  std::vector<Point2> all = map_planar(mesh, section.images, options, context).points;
-  for (Point2& p : all) p *= spacing;
-  return {all.begin() + mesh.n_boundary, all.begin() + mesh.n_boundary + points.size()};
+  options.squeezed = 0.0;
+  return images_of(map_planar(section.mesh, section.images, options, context).points, section,
+                   points.size(), spacing);
+}
+
+std::optional<std::vector<Point2>> carried_harmonically(const std::vector<OutlinePart>& loops,
+                                                        const std::vector<Point2>& points,
+                                                        double spacing) {
+  const SectionOutline section = triangulated(loops, points, spacing);
+  const PlanarMesh& mesh = section.mesh;
+  const std::vector<Point2> all = harmonic_map(mesh, section.images);
+  if (has_folds(mesh, all)) return {};
+  return images_of(all, section, points.size(), spacing);
 }
 
 namespace {
@@ -228,6 +296,7 @@ std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
     mesh.add_cell(t);
   MapOptions options;
   options.poor = -1.0;
+  options.squeezed = 0.0;
   const std::vector<Point2> images = map_planar(mesh, section.images, options, context).points;
   std::vector<Point2> out;
   for (const Point2& p : points) out.push_back(spacing * image_in(mesh, images, p / spacing));

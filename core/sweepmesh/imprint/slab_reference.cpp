@@ -8,6 +8,7 @@
 
 #include "sweepmesh/imprint/leaning_walls.h"
 #include "sweepmesh/imprint/mean_value_field.h"
+#include "sweepmesh/imprint/nearest_search.h"
 #include "sweepmesh/imprint/section_map.h"
 
 namespace sweepmesh {
@@ -17,9 +18,11 @@ namespace {
 std::vector<double> apart(const Polyline& line, const std::set<double>& positions, double least) {
   std::vector<double> out;
   double arc = 0.0;
-  const double whole = length(line);
+  const std::vector<double> arcs = arc_lengths(line);
+  const double whole = arcs.back();
   for (const double at : positions) {
-    const double here = at_position(line, at).arc;
+    const std::size_t i = std::min(static_cast<std::size_t>(at), line.size() - 2);
+    const double here = arcs[i] + (at - static_cast<double>(i)) * (arcs[i + 1] - arcs[i]);
     if (!out.empty() && (here - arc <= least || whole - here <= least)) continue;
     out.push_back(at);
     arc = here;
@@ -37,6 +40,7 @@ class SlabWalker {
         walls_(walls),
         seen_(seen),
         context_(context),
+        nearest_on_seen_(searches(seen)),
         height_(level_heights(model, walls, direction, seen)),
         panels_(find_panels(model, scheme, walls, seen, height_)),
         in_r_(panels_.size()),
@@ -116,15 +120,16 @@ class SlabWalker {
   void refine(const std::vector<OutlinePart>& parts, ReferenceCurve& c) const {
     std::set<double> positions;
     for (const PolylinePoint& p : resampled(c.points, spacing_ / 2)) positions.insert(p.position);
+    const NearestSearch nearest_on(c.points);
     for (const OutlinePart& part : parts)
       for (const Point2& x : part.from) {
-        const PolylinePoint foot = nearest(c.points, x);
+        const PolylinePoint foot = nearest_on(x);
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
     ReferenceCurve fine{c.edge, {}, {}};
     for (const double at : apart(c.points, positions, seen_.coincidence)) {
       const std::size_t i = std::min(static_cast<std::size_t>(at), c.points.size() - 2);
-      fine.points.push_back(at_position(c.points, at).point);
+      fine.points.push_back(point_at(c.points, at));
       fine.t.push_back(c.t[i] + (at - i) * (c.t[i + 1] - c.t[i]));
     }
     c = std::move(fine);
@@ -172,7 +177,7 @@ class SlabWalker {
       for (std::size_t c = 0; c < out_.curves.size(); ++c) {
         const EdgeId other = out_.curves[c].edge;
         if (is_known_[c] && (walls_.above[other.index] == f || walls_.below[other.index] == f) &&
-            nearest(seen_.curves[c].points, x).distance <= seen_.coincidence)
+            nearest_on_seen_[c](x).distance <= seen_.coincidence)
           curves.push_back(c);
       }
     }
@@ -188,24 +193,26 @@ class SlabWalker {
     return most;
   }
 
+  using Section = std::vector<OutlinePart>;  ///< loops, and where they are after a step
+
   /// Carries points inside the section at `level` to R: through the slab to its other end, and from
-  /// there. In few steps if possible, or in smaller ones, in which the section keeps its shape
-  /// nearly.
+  /// there.
   std::vector<Point2> carried_through(int low, int high, int level,
                                       const std::vector<Point2>& points) const {
-    constexpr int most_steps = 16;
-    for (int n = 1;; n *= 2) try {
-        return carried_in_steps(low, high, level, n, points);
-      } catch (const InvalidMeshError& e) {
-        if (n >= most_steps) throw_unreachable(low, high, e);
-      } catch (const InputError& e) {
-        throw_unreachable(low, high, e);
-      }
+    constexpr int n = 16;
+    try {
+      const std::vector<Section> sections = sections_in_steps(low, high, level, n);
+      return carried_between(sections, n, 2 * n, carried_between(sections, 0, n, points));
+    } catch (const InvalidMeshError& e) {
+      throw_unreachable(low, high, e);
+    } catch (const InputError& e) {
+      throw_unreachable(low, high, e);
+    }
   }
 
-  /// n steps through the slab, and as many from what is seen at its other end to R.
-  std::vector<Point2> carried_in_steps(int low, int high, int level, int n,
-                                       std::vector<Point2> points) const {
+  /// The section at its level and after each of n steps through the slab, and as many from what is
+  /// seen at its other end to R.
+  std::vector<Section> sections_in_steps(int low, int high, int level, int n) const {
     const double other_end = height_.at(level == high ? low : high);
     const double from = height_.at(level), to = low == base_ ? base_height() : other_end;
     const auto at_step = [&](std::size_t p, int i) {
@@ -215,23 +222,32 @@ class SlabWalker {
       for (std::size_t k = 0; k < line.size(); ++k) line[k] += share * (in_r_[p][k] - line[k]);
       return line;
     };
-    const auto loops_at = [&](int i) {  // ends that meet at first belong together all the way
-      return joined_loops(
+    std::vector<Section> out;
+    for (int i = 0; i <= 2 * n; ++i)  // ends that meet at first belong together all the way
+      out.push_back(joined_loops(
           outline(low, high,
                   [&](std::size_t p) {
                     return OutlinePart{at_step(p, 0), i < 2 * n ? at_step(p, i) : in_r_[p]};
                   }),
-          2 * seen_.coincidence);
-    };
-    std::vector<OutlinePart> here = loops_at(0);
-    for (int i = 1; i <= 2 * n; ++i) {
-      std::vector<OutlinePart> next = loops_at(i), step;
-      for (std::size_t l = 0; l < next.size(); ++l) step.push_back({here[l].to, next[l].to});
-      if (step.empty() || largest_move(step) > seen_.coincidence)
-        points = carried_inside(step, points, spacing_, context_);
-      here = std::move(next);
-    }
-    return points;
+          2 * seen_.coincidence));
+    return out;
+  }
+
+  /// At once where the harmonic map has no folds, else in two halves, in which the section keeps
+  /// its shape more nearly. Only a single step is worth the search for another map.
+  std::vector<Point2> carried_between(const std::vector<Section>& sections, int first, int last,
+                                      const std::vector<Point2>& points) const {
+    Section step;
+    for (std::size_t l = 0; l < sections[first].size(); ++l)
+      step.push_back({sections[first][l].to, sections[last][l].to});
+    if (!step.empty() && largest_move(step) <= seen_.coincidence) return points;
+    if (last - first == 1) return carried_inside(step, points, spacing_, context_);
+    if (auto there = carried_harmonically(step, points, spacing_)) return *there;
+    const int middle = (first + last) / 2;
+    if (is_crossed(sections[middle], 2 * seen_.coincidence))
+      throw InputError("imprint", "The outline of their section crosses itself.");
+    return carried_between(sections, middle, last,
+                           carried_between(sections, first, middle, points));
   }
 
   [[noreturn]] void throw_unreachable(int low, int high, const Error& e) const {
@@ -268,23 +284,24 @@ class SlabWalker {
     const Polyline line = seen_at(panel, level);
     std::set<double> positions;
     for (std::size_t i = 0; i < line.size(); ++i) positions.insert(static_cast<double>(i));
+    const NearestSearch nearest_on(line);
     for (const std::size_t c : curves)
       for (const double t : out_.curves[c].t) {
-        const PolylinePoint foot = nearest(line, at_parameter(seen_.curves[c], t));
+        const PolylinePoint foot = nearest_on(at_parameter(seen_.curves[c], t));
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
     const auto met = met_panels(panel, level);
     for (const std::size_t m : met)
       for (const Point2& x : seen_at(panels_[m], level)) {
-        const PolylinePoint foot = nearest(line, x);
+        const PolylinePoint foot = nearest_on(x);
         if (foot.distance <= seen_.coincidence) positions.insert(foot.position);
       }
     Polyline bottom, top;
     in_r_[p].clear();
     for (const double at : apart(line, positions, seen_.coincidence)) {
-      bottom.push_back(at_position(panel.bottom, at).point);
-      top.push_back(at_position(panel.top, at).point);
-      in_r_[p].push_back(along_edges_or_panels(curves, met, level, at_position(line, at).point));
+      bottom.push_back(point_at(panel.bottom, at));
+      top.push_back(point_at(panel.top, at));
+      in_r_[p].push_back(along_edges_or_panels(curves, met, level, point_at(line, at)));
     }
     panel.bottom = std::move(bottom);
     panel.top = std::move(top);
@@ -305,15 +322,14 @@ class SlabWalker {
                                const std::vector<std::size_t>& panels, int level,
                                const Point2& x) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t c : curves)
-      least = std::min(least, nearest(seen_.curves[c].points, x).distance);
+    for (const std::size_t c : curves) least = std::min(least, nearest_on_seen_[c](x).distance);
     Point2 best = x;
     bool is_panel = false;
     for (const std::size_t m : panels) {
       const PolylinePoint foot = nearest(seen_at(panels_[m], level), x);
       if (foot.distance >= least - seen_.coincidence) continue;
       least = foot.distance;
-      best = at_position(in_r_[m], foot.position).point;
+      best = point_at(in_r_[m], foot.position);
       is_panel = true;
     }
     return is_panel ? best : along_edges(curves, x);
@@ -326,12 +342,18 @@ class SlabWalker {
     for (const std::size_t c : curves) {
       // Both lines have the same parameters: find the place on the one, take it from the other.
       const ReferenceCurve& before = seen_.curves[c];
-      const PolylinePoint foot = nearest(before.points, x);
+      const PolylinePoint foot = nearest_on_seen_[c](x);
       if (foot.distance >= least) continue;
       least = foot.distance;
       best = at_parameter(out_.curves[c], parameter_at(before, foot.position));
     }
     return best;
+  }
+
+  static std::vector<NearestSearch> searches(const Reference& seen) {
+    std::vector<NearestSearch> out;
+    for (const ReferenceCurve& c : seen.curves) out.emplace_back(c.points);
+    return out;
   }
 
   static double parameter_at(const ReferenceCurve& c, double position) {
@@ -351,6 +373,7 @@ class SlabWalker {
   const Reference& seen_;
   static constexpr double spacing_ = 1.0;  ///< of what is triangulated
   const Context& context_;
+  const std::vector<NearestSearch> nearest_on_seen_;  ///< by curve, where it is seen
   const Heights height_;
   std::vector<Panel> panels_;
   std::vector<Polyline> in_r_;    ///< by panel, once known

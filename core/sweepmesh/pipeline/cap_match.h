@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -28,9 +29,23 @@ struct WholeCaps {};
 /// Sources and targets matched: whole, imprinted on each other, or as the two sides of a wall.
 using CapMatch = std::variant<WholeCaps, Imprint, Shell>;
 
-/// Throws what imprint_caps and find_shell throw.
-CapMatch match_caps(const Model& model, const Scheme& scheme, const ImprintOptions& options,
-                    Context& context);
+/// Matches at one element size with several distances of merging: what these have in common is
+/// found once, when first asked for. The arguments must outlive it.
+class CapMatcher {
+ public:
+  CapMatcher(const Model& model, const Scheme& scheme, double size, Context& context)
+      : model_(model), scheme_(scheme), size_(size), context_(context) {}
+
+  /// Throws what imprint_caps and find_shell throw.
+  CapMatch operator()(double merge_fraction);
+
+ private:
+  const Model& model_;
+  const Scheme& scheme_;
+  double size_;
+  Context& context_;
+  std::optional<ImprintBasis> basis_;
+};
 
 /// The interval problem with what the match adds to it. Throws SolverError where demands contradict
 /// each other, naming them.
@@ -84,8 +99,10 @@ struct Layout {
   CapMatch match;
   PieceCounts counts;
 };
-/// With the first distance of merging that will do. Throws what match_caps and count_edges throw.
+/// With the first distance of merging that will do. Throws what CapMatcher and count_edges throw,
+/// and what the grids of the linking faces do, which hang on nothing else: they are made and thrown
+/// away. `is_trial`: see IntervalOptions.
 Layout lay_out(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
-               Context& context);
+               Context& context, bool is_trial = false);
 
 }  // namespace sweepmesh

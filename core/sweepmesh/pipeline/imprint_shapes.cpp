@@ -35,12 +35,9 @@ class ShapeMaker {
       : out_(out), options_(options), context_(context) {}
 
   void add_solid(const Model& model, const Scheme& scheme) {
-    with_some_merging(
-        merge_fractions(model, scheme, options_, out_.size),
-        [&](double fraction) {
-          return match_caps(model, scheme, {out_.size, fraction}, context_);
-        },
-        [&](const CapMatch& match, double) { add(model, scheme, match); });
+    with_some_merging(merge_fractions(model, scheme, options_, out_.size),
+                      CapMatcher(model, scheme, out_.size, context_),
+                      [&](const CapMatch& match, double) { add(model, scheme, match); });
   }
 
   void make_shapes() {

@@ -152,7 +152,7 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
     RoundDivision division(model, picks, options);
     if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
       return *divided;
-    if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
+    if (!is_free(picks) || !is_fault_of_layout(error)) throw;
     SweepPlan refused;
     refused.size = plan.size;
     refused.assessment = without_layout(error);

@@ -92,20 +92,19 @@ class SchemeMesher {
  private:
   BoundaryMesh mesh_surface() {
     const auto fractions = merge_fractions(model_, scheme_, options_, intervals_.size);
+    CapMatcher match(model_, scheme_, intervals_.size, context_);
     return with_some_merging(
-        fractions, [&](double fraction) { return matched(fraction); },
-        [&](CapMatch& match, double fraction) {
-          BoundaryMesh boundary = over(match);
+        fractions, [&](double fraction) { return matched(match, fraction); },
+        [&](CapMatch& made, double fraction) {
+          BoundaryMesh boundary = over(made);
           if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
           return boundary;
         });
   }
 
-  CapMatch matched(double merge_fraction) {
+  CapMatch matched(CapMatcher& match, double merge_fraction) {
     context_.report(0.05, "Matching sources and targets");
-    return clock_.run("imprint", [&] {
-      return match_caps(model_, scheme_, {intervals_.size, merge_fraction}, context_);
-    });
+    return clock_.run("imprint", [&] { return match(merge_fraction); });
   }
 
   BoundaryMesh over(const CapMatch& match) {

@@ -278,7 +278,7 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
   } catch (const Error& error) {
     result.warnings.clear();
     if (divided(Strain::refused)) return true;
-    if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
+    if (!is_free(picks) || !is_fault_of_layout(error)) throw;
     result.assessment = without_layout(error);
     return false;
   }

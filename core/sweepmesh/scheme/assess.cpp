@@ -9,6 +9,7 @@
 #include "sweepmesh/scheme/ranking.h"
 #include "sweepmesh/scheme/reasons.h"
 #include "sweepmesh/scheme/to_scheme.h"
+#include "sweepmesh/scheme/walled.h"
 
 namespace sweepmesh {
 
@@ -90,9 +91,10 @@ class Assessor {
       if (auto found = try_with(lenient, asked_)) return *found;
     if (auto refused = refuse_types()) return *refused;
     if (!chosen_.empty()) return refuse_picks(strict, lenient);
+    if (auto found = try_walled()) return *found;
     if (auto found = try_radial()) {
       if (picks_.types.empty()) return *found;
-      return {{}, {type_reason(picks_.types)}};
+      return {{}, {type_reason(picks_.types, {})}};
     }
     return refuse(lenient);
   }
@@ -112,7 +114,7 @@ class Assessor {
   /// Schemes that the search by cost leaves out.
   Assessment with_more(Assessment found, const std::vector<FixedCorner>& fixed) {
     if (chosen_.empty())
-      add_prismatic(found, fixed);
+      add_guessed(found, fixed);
     else
       prefer_picked(found, fixed);
     return found;
@@ -132,22 +134,24 @@ class Assessor {
       found.schemes.insert(found.schemes.begin(), picked->schemes.begin(), picked->schemes.end());
   }
 
-  /// Offers straight sweeps, too: in the order of cost where rounds and fillets are tangent to caps
-  /// at worst, else at the end, whatever their angles cost.
-  void add_prismatic(Assessment& found, const std::vector<FixedCorner>& fixed) {
+  /// Offers sweeps through walls and straight ones, too: in the order of cost where rounds and
+  /// fillets are tangent to caps at worst, else at the end, whatever their angles cost.
+  void add_guessed(Assessment& found, const std::vector<FixedCorner>& fixed) {
     std::vector<Scheme>& schemes = found.schemes;
-    for (const Scheme& s : new_prismatic(tangent_limits(), fixed, schemes))
+    for (const Scheme& s : new_ones(prismatic_divisions, tangent_limits(), fixed, schemes))
       schemes.insert(std::ranges::upper_bound(schemes, s.cost, {}, &Scheme::cost), s);
-    for (const Scheme& s : new_prismatic(lenient_limits(), fixed, schemes))
+    for (const Scheme& s : new_ones(prismatic_divisions, lenient_limits(), fixed, schemes))
       if (s.cost >= schemes.back().cost) schemes.push_back(s);
+    for (const Scheme& s : new_ones(walled_divisions, radial_limits(), fixed, schemes))
+      schemes.push_back(s);
   }
 
-  std::vector<Scheme> new_prismatic(const AngleLimits& limits,
-                                    const std::vector<FixedCorner>& fixed,
-                                    const std::vector<Scheme>& known) {
+  /// Guessed divisions whose caps are not among those of the known schemes.
+  std::vector<Scheme> new_ones(std::vector<Division> (*guess)(const Network&, Context&),
+                               const AngleLimits& limits, const std::vector<FixedCorner>& fixed,
+                               const std::vector<Scheme>& known) {
     const Network network = make_network(problem_, limits, fixed);
-    std::vector<Scheme> out =
-        ranked(model_, network, prismatic_divisions(network, context_), chosen_);
+    std::vector<Scheme> out = ranked(model_, network, guess(network, context_), chosen_);
     std::erase_if(out, [&](const Scheme& scheme) {
       const bool is_known = std::ranges::any_of(
           known, [&](const Scheme& other) { return has_same_caps(scheme, other); });
@@ -156,6 +160,14 @@ class Assessor {
       });
       return is_known || !is_asked;
     });
+    return out;
+  }
+
+  /// From one side of a wall to the other, where right angles between the faces of a side are all
+  /// that is against it.
+  std::optional<Assessment> try_walled() {
+    Assessment out{new_ones(walled_divisions, radial_limits(), {}, {}), {}};
+    if (!picks_.types.empty() || !out.is_sweepable()) return {};
     return out;
   }
 
@@ -187,7 +199,29 @@ class Assessor {
       without.erase(without.begin() + i);
       if (!can_hold(without)) left = without;
     }
-    return Assessment{{}, {type_reason(left)}};
+    return Assessment{{}, {type_reason(left, type_instead_of(left.back()))}};
+  }
+
+  /// The type of that vertex in the best scheme where it is free, its face links and all other
+  /// types hold.
+  std::optional<TypePick> type_instead_of(TypePick pick) {
+    std::vector<TypePick> others = picks_.types;
+    std::erase_if(
+        others, [&](const TypePick& t) { return t.face == pick.face && t.vertex == pick.vertex; });
+    std::vector<Pick> asked = with_types(chosen_, others);
+    asked.emplace_back(pick.face, kLinkingStates);
+    for (const AngleLimits& limits : {strict_limits(), tangent_limits(), lenient_limits()}) {
+      const Network network = make_network(problem_, limits, fixed_corners(problem_, others));
+      const auto found = graded_search(network, asked, budget_, context_).divisions;
+      if (found.empty()) continue;
+      const Scheme scheme = to_scheme(network, found.front(), model_.n_faces(), model_.n_edges());
+      const auto& loops = model_.loops(pick.face);
+      for (std::size_t l = 0; l < loops.size(); ++l)
+        for (std::size_t c = 0; c < loops[l].size(); ++c)
+          if (loops[l][c].end == pick.vertex) pick.type = scheme.face[pick.face.index].type[l][c];
+      return pick;
+    }
+    return {};
   }
 
   Assessment refuse(const Network& lenient) {
@@ -221,9 +255,13 @@ class Assessor {
   Assessment refuse_picks(const Network& strict, const Network& lenient) {
     SearchResult free = graded_search(strict, {}, budget_, context_);
     if (free.divisions.empty()) return refuse(lenient);
-    return {{},
-            {pick_reason(strict, blamed_picks(lenient, chosen_, budget_, context_),
-                         free.divisions.front())}};
+    const std::vector<FaceId> blamed = blamed_picks(lenient, chosen_, budget_, context_);
+    std::vector<Pick> others = chosen_;
+    std::erase_if(others, [&](const Pick& pick) { return pick.first == blamed.front(); });
+    const SearchResult kept = graded_search(strict, others, budget_, context_);
+    return {
+        {},
+        {pick_reason(strict, blamed, (kept.divisions.empty() ? free : kept).divisions.front())}};
   }
 
   const Model& model_;
