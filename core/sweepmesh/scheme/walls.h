@@ -26,7 +26,7 @@ struct OpposedWalls {
 std::optional<OpposedWalls> opposed_walls(const Network& network, const Choices& choices);
 
 /// Of the gap: the longest way back that may still be meshed.
-inline constexpr double kMostWayBack = 0.6;
+inline constexpr double kMostWayBack = 0.65;
 
 /// Whether closed shells that share no edge agree on the way up: the mean axial directions of each
 /// two shells that have axial edges differ by less than 60 degrees. Nothing but geometry relates a
