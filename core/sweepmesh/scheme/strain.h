@@ -6,7 +6,7 @@
 
 namespace sweepmesh {
 
-/// Of a scheme of just this excess about as many can be meshed as cannot (docs/assessment.md).
+/// Above this excess hardly a scheme could be meshed (docs/assessment.md).
 inline constexpr double kMostExcess = 6.0;
 
 /// Squared deviations, in quarter turns (limits.h), of the edges that are beyond the strict limits
