@@ -105,10 +105,9 @@ Model countersunk(int n) {
   return with_tools(block(0, 0, 0, pitch * n, 20, 20), tools, BRepAlgoAPI_Cut());
 }
 
-const char* outcome_of(const Model& model, const Assessment& verdict) {
+const char* outcome_of(const Assessment& verdict) {
   if (!verdict.is_sweepable()) return "refused";
   const auto is_divided = [](FaceRole role) { return role == FaceRole::divided; };
-  (void)model;
   return std::ranges::any_of(verdict.schemes.front().face_role, is_divided) ? "divided"
                                                                             : "sweepable";
 }
@@ -121,7 +120,7 @@ void measure(const char* name, const Model& model) {
     const std::clock_t start = std::clock();
     const Assessment verdict = assess_or_divide(model, {}, context);
     least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    outcome = outcome_of(model, verdict);
+    outcome = outcome_of(verdict);
   }
   const std::size_t n = model.faces().size();
   std::printf("%-14s %-10s %6zu %10.1f %8.3f\n", name, outcome, n, 1e3 * least, 1e3 * least / n);
