@@ -9,13 +9,16 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "sweepmesh/base/context.h"
+
 namespace sweepmesh {
 
-/// A few threads kept for the length of one stage. Between calls they wait: awake for some
+/// A few threads kept for the length of one stage or run. Between calls they wait: awake for some
 /// microseconds, since most calls follow one another closely, then asleep.
 class ThreadTeam {
  public:
@@ -146,5 +149,17 @@ class ThreadTeam {
   std::atomic<std::uint32_t> n_left_ = 0;  ///< chunks of the round that are not done
   std::atomic<bool> is_over_ = false;
 };
+
+/// The team of a run, started at its first use and kept until its context ends. One stage at a time
+/// works with it.
+inline ThreadTeam& team_of(const Context& context) {
+  struct Kept {
+    std::once_flag once;
+    std::unique_ptr<ThreadTeam> team;
+  };
+  Kept& kept = context.kept<Kept>();
+  std::call_once(kept.once, [&] { kept.team = std::make_unique<ThreadTeam>(context.n_threads()); });
+  return *kept.team;
+}
 
 }  // namespace sweepmesh

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "sweepmesh/intervals/areas.h"
 #include "sweepmesh/intervals/interval_demands.h"
@@ -34,6 +35,12 @@ Conflict described(const CountProblem& problem, const std::vector<int>& conflict
   if (texts.size() > n_shown)
     sentence += "; and " + std::to_string(texts.size() - n_shown) + " more";
   return {sentence + ".", entities};
+}
+
+std::vector<int> all_demands(const CountProblem& problem) {
+  std::vector<int> out(problem.demands.size());
+  std::iota(out.begin(), out.end(), 0);
+  return out;
 }
 
 /// The order of some face's sides is too much to ask: what was found without it is used, and its
@@ -136,6 +143,8 @@ std::vector<SolvedIntervals> solve_together(std::vector<IntervalPart> parts,
   CountOptions how;
   how.time_limit_seconds = parts.front().options.time_limit_seconds.value_or(unbounded);
   const int max_rounds = 30;  // each adds order to faces whose sides cross; a few are the rule
+  how.any_will_do = parts.front().options.is_trial;
+  how.explain = !how.any_will_do;
   std::vector<SolvedIntervals> best;
   for (int round = 0; round < max_rounds; ++round) {
     context.report(static_cast<double>(round) / max_rounds, "Assigning numbers of mesh edges");
@@ -143,10 +152,13 @@ std::vector<SolvedIntervals> solve_together(std::vector<IntervalPart> parts,
     const CountSolution solution = solve_counts(joint.problem, how, context);
     if (!solution.is_feasible) {
       if (!best.empty()) {
-        for (SolvedIntervals& part : best) note_unmet(joint.problem, how, context, part.intervals);
+        if (!how.any_will_do)
+          for (SolvedIntervals& part : best)
+            note_unmet(joint.problem, how, context, part.intervals);
         break;
       }
-      const Conflict conflict = described(joint.problem, solution.conflict);
+      const Conflict conflict =
+          described(joint.problem, how.explain ? solution.conflict : all_demands(joint.problem));
       throw SolverError(stage, conflict.sentence, conflict.entities);
     }
     best = solved_parts(parts, joint, solution);
@@ -154,6 +166,7 @@ std::vector<SolvedIntervals> solve_together(std::vector<IntervalPart> parts,
     int n_wrong = 0;
     for (std::size_t p = 0; p < parts.size(); ++p) {
       IntervalPart& part = parts[p];
+      best[p].intervals.crossed = separations[p].crossed(joint.of_part(solution, p), part.demands);
       n_wrong += raise_for_areas(part.model, part.options, best[p].intervals.edge, part.demands) +
                  separations[p].add_violated(joint.of_part(solution, p), part.demands);
     }

@@ -59,7 +59,8 @@ struct CountOptions {
   double time_limit_seconds = unbounded;  ///< the same for time, > 0
   /// Cost of an odd sum where an even one is preferred, in the unit of the cost above.
   double odd_penalty = 0.5;
-  bool explain = true;  ///< look for the smallest conflict where there is no solution
+  bool any_will_do = false;  ///< the first counts found, not those of least cost
+  bool explain = true;       ///< look for the smallest conflict where there is no solution
 };
 
 struct CountSolution {

@@ -248,7 +248,7 @@ class PartSolver {
         try_program(part, std::max(short_part * options_.max_effort, a_few_relaxations));
     if (quick == Outcome::infeasible) return false;
     if (quick == Outcome::solved) {
-      if (!is_optimal_ && is_wide) improve_by_repair(part, many, without_parity);
+      if (!is_optimal_ && is_wide && !options_.any_will_do) improve_by_repair(part, many, without_parity);
       return true;
     }
     return (is_wide && (repair(part, 1, many) || repair(part, 2, many))) ||
@@ -298,6 +298,7 @@ class PartSolver {
     SolveOptions how{.max_effort = effort, .time_limit_seconds = options_.time_limit_seconds};
     if (with_parity)
       how.gap = 0.05;  // the relaxation sees no parity: the last bit cannot be proven
+    how.first_feasible = with_parity && options_.any_will_do;
     const Solution s = solve(p.program(), how, context_);
     if (s.status == SolveStatus::infeasible) return Outcome::infeasible;
     is_optimal_ = is_optimal_ && s.status == SolveStatus::optimal;

@@ -16,6 +16,9 @@ struct Intervals {
   /// the first loop has i = 0; empty for other faces.
   std::vector<std::vector<int>> loop_i;
   int n_layers = 0;  ///< highest k; the lowest is 0
+  /// Linking faces whose sides touch or cross in these counts, as far as is known: they bound no
+  /// structured grid.
+  std::vector<FaceId> crossed;
   /// Where the order of a face's sides cannot be kept: the demands that contradict each other, as a
   /// sentence, and their entities; the counts leave that order out. Empty: none was left out.
   std::string unmet;

@@ -336,6 +336,24 @@ bool has_folded_corner(const GridRegion& region, const FaceSides& face,
   return false;
 }
 
+/// Steps that a loop ends beside its start: around a tube, else none.
+int around(const GridLoop& loop) {
+  GridPoint p = loop.start;
+  for (const Direction d : loop.steps) p = stepped(p, d);
+  return std::abs(p.i - loop.start.i);
+}
+
+/// Whether the loops bound a region; on a tube with some turn of the second rim against the first.
+bool bound_a_region(std::vector<GridLoop> loops) {
+  const int period = around(loops.front());
+  if (period == 0) return fill_region(loops).has_value();
+  for (int turn = 0; turn < period; ++turn) {
+    if (fill_region(loops, period)) return true;
+    for (std::size_t l = 1; l < loops.size(); ++l) ++loops[l].start.i;
+  }
+  return false;
+}
+
 /// One loop of END and SIDE vertices is a rectangle, whatever the counts.
 bool is_four_sided(const FaceScheme& face) {
   const auto bends_back = [](VertexType t) { return static_cast<int>(t) < 0; };
@@ -380,6 +398,14 @@ int Separation::add_violated(const CountSolution& solution, IntervalDemands& dem
     n_added += n_of_face;
   }
   return n_added;
+}
+
+std::vector<FaceId> Separation::crossed(const CountSolution& solution,
+                                        const IntervalDemands& demands) const {
+  std::vector<FaceId> out;
+  for (const FaceId f : faces_)
+    if (!bound_a_region(grid_loops(model_, scheme_, f, demands, solution))) out.push_back(f);
+  return out;
 }
 
 }  // namespace sweepmesh

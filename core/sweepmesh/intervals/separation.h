@@ -35,6 +35,9 @@ class Separation {
   /// order could mend.
   int add_violated(const CountSolution& solution, IntervalDemands& demands) const;
 
+  /// The faces whose loops bound no region in the solution.
+  std::vector<FaceId> crossed(const CountSolution& solution, const IntervalDemands& demands) const;
+
  private:
   const Model& model_;
   const Scheme& scheme_;

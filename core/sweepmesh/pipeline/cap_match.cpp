@@ -1,12 +1,34 @@
 #include "sweepmesh/pipeline/cap_match.h"
 
+#include <string>
 #include <utility>
 
 #include "sweepmesh/imprint/imprint_counts.h"
 #include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/surface/linking_edges.h"
+#include "sweepmesh/surface/linking_faces.h"
 
 namespace sweepmesh {
+namespace {
+
+void refuse_crossed(const Intervals& intervals) {
+  if (intervals.crossed.empty()) return;
+  const std::string name = name_of(intervals.crossed.front());
+  throw InvalidMeshError("intervals", "The sides of " + name + " would touch or cross in its grid.",
+                         {name}, {});
+}
+
+/// Throws what making the grids of the linking faces does.
+void try_grids(const Model& model, const Scheme& scheme, const CapMatch& match,
+               const PieceCounts& counts, const IntervalOptions& options, Context& context) {
+  SurfaceMesh surface;
+  const EdgeNodes nodes = nodes_on_edges(model, scheme, match, counts, options);
+  const EdgeMesh edges = mesh_edges(model, counts.intervals, nodes, surface);
+  mesh_linking_faces(model, scheme, counts.intervals, edges, context, surface);
+}
+
+}  // namespace
 
 bool is_one_to_one(const Scheme& scheme) {
   return scheme.faces_with(FaceRole::source).size() == 1 &&
@@ -44,12 +66,15 @@ std::vector<double> merge_fractions(const Model& model, const Scheme& scheme,
 }
 
 Layout lay_out(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
-               Context& context) {
-  const IntervalOptions intervals = interval_options(model, options, size);
+               Context& context, bool is_trial) {
+  IntervalOptions intervals = interval_options(model, options, size);
+  intervals.is_trial = is_trial;
   return with_some_merging(merge_fractions(model, scheme, options, size),
                            CapMatcher(model, scheme, size, context), [&](CapMatch& match, double) {
                              PieceCounts counts =
                                  count_edges(model, scheme, match, intervals, context);
+                             refuse_crossed(counts.intervals);
+                             try_grids(model, scheme, match, counts, intervals, context);
                              return Layout{std::move(match), std::move(counts)};
                            });
 }

@@ -99,8 +99,10 @@ struct Layout {
   CapMatch match;
   PieceCounts counts;
 };
-/// With the first distance of merging that will do. Throws what CapMatcher and count_edges throw.
+/// With the first distance of merging that will do. Throws what CapMatcher and count_edges throw,
+/// and what the grids of the linking faces do, which hang on nothing else: they are made and thrown
+/// away. `is_trial`: see IntervalOptions.
 Layout lay_out(const Model& model, const Scheme& scheme, const SweepOptions& options, double size,
-               Context& context);
+               Context& context, bool is_trial = false);
 
 }  // namespace sweepmesh

@@ -10,27 +10,32 @@ LayoutFault fault_of(const Error& error) {
   return {{ReasonKind::geometric, error.what(), error.entities()}, !is_final(error)};
 }
 
-/// Whether some size gives the scheme a layout; the fault at the first one where none does.
-std::optional<LayoutFault> fault_at_all_sizes(const Model& model, const Scheme& scheme,
-                                              Context& context) {
-  std::optional<LayoutFault> first;
+/// Whether some size gives the scheme a layout.
+bool has_layout(const Model& model, const Scheme& scheme, Context& context) {
   SweepOptions options;
   for (const double share : kSizeShares) {
     options.size = share * default_size(model);
-    const auto fault = layout_fault(model, scheme, options, context);
-    if (!fault) return {};
-    if (!first) first = fault;
+    const auto fault = layout_fault(model, scheme, options, context, true);
+    if (!fault) return true;
     if (!fault->is_of_size) break;
   }
-  return first;
+  return false;
+}
+
+/// Of a scheme that has none.
+Reason reason_of(const Model& model, const Scheme& scheme, const SweepOptions& options,
+                 Context& context) {
+  auto fault = layout_fault(model, scheme, options, context, false);
+  return fault ? std::move(fault->reason) : Reason{};
 }
 
 }  // namespace
 
 std::optional<LayoutFault> layout_fault(const Model& model, const Scheme& scheme,
-                                        const SweepOptions& options, Context& context) {
+                                        const SweepOptions& options, Context& context,
+                                        bool is_trial) {
   try {
-    lay_out(model, scheme, options, options.size.value_or(default_size(model)), context);
+    lay_out(model, scheme, options, options.size.value_or(default_size(model)), context, is_trial);
     return {};
   } catch (const Cancelled&) {
     throw;
@@ -47,19 +52,20 @@ bool is_free(const Picks& picks) {
 void keep_laid_out(const Model& model, const SweepOptions& options, Context& context,
                    Assessment& verdict) {
   std::vector<Scheme> kept;
-  for (const std::size_t s : tries(verdict.schemes.size())) {
-    auto fault = layout_fault(model, verdict.schemes[s], options, context);
-    if (!fault)
-      kept.push_back(std::move(verdict.schemes[s]));
-    else if (verdict.reasons.empty())
-      verdict.reasons.push_back(std::move(fault->reason));
-  }
-  if (!kept.empty()) verdict.reasons.clear();
+  for (const std::size_t s : tries(verdict.schemes.size()))
+    if (!layout_fault(model, verdict.schemes[s], options, context, true))
+      kept.push_back(verdict.schemes[s]);
+  if (kept.empty() && verdict.is_sweepable())
+    verdict.reasons.push_back(reason_of(model, verdict.schemes.front(), options, context));
   verdict.schemes = std::move(kept);
 }
 
+bool is_fault_of_layout(const Error& error) {
+  return dynamic_cast<const ImprintError*>(&error) || dynamic_cast<const InvalidMeshError*>(&error);
+}
+
 Assessment without_layout(Reason fault) {
-  fault.text += " Cut the solid there, or pick other sources and targets.";
+  fault.text += " Cut the solid there.";
   return {{}, {std::move(fault)}};
 }
 
@@ -68,16 +74,10 @@ Assessment without_layout(const Error& error) {
 }
 
 void refuse_without_layout(const Model& model, Context& context, Assessment& verdict) {
-  std::optional<Reason> first;
-  for (const std::size_t s : tries(verdict.schemes.size())) {
-    const Scheme& scheme = verdict.schemes[s];
-    if (is_one_to_one(scheme) && !is_shell_like(model, scheme)) return;
-    auto fault = fault_at_all_sizes(model, scheme, context);
-    if (!fault) return;
-    if (!first) first = std::move(fault->reason);
-  }
-  if (!first) return;
-  verdict = without_layout(std::move(*first));
+  if (!verdict.is_sweepable()) return;
+  for (const std::size_t s : tries(verdict.schemes.size()))
+    if (has_layout(model, verdict.schemes[s], context)) return;
+  verdict = without_layout(reason_of(model, verdict.schemes.front(), {}, context));
 }
 
 void accept_strained(const Model& model, const SweepOptions& options, Context& context,
@@ -85,7 +85,7 @@ void accept_strained(const Model& model, const SweepOptions& options, Context& c
   if (verdict.is_sweepable()) return;
   const std::size_t n = std::min(kMostStrained, verdict.strained.size());
   for (std::size_t s = 0; s < n && verdict.schemes.size() < kEnoughStrained; ++s)
-    if (!layout_fault(model, verdict.strained[s], options, context))
+    if (!layout_fault(model, verdict.strained[s], options, context, true))
       verdict.schemes.push_back(verdict.strained[s]);
   if (verdict.is_sweepable()) verdict.reasons.clear();
 }

@@ -1,9 +1,9 @@
 // Whether a scheme can be laid out: what is decided between a scheme and its mesh.
 //
-// Angles alone do not tell whether sources and targets can be imprinted on each other and numbers
-// of mesh edges be found. Both can be tried without a mesh. Of the schemes whose angles are beyond
-// what the free search takes, about nine in ten that can be laid out can be meshed, and hardly one
-// of the others (docs/assessment.md).
+// Angles alone do not tell whether sources and targets can be imprinted on each other, numbers of
+// mesh edges be found and linking faces get grids. All can be tried without a mesh. Of the schemes
+// whose angles are beyond what the free search takes, about nine in ten that can be laid out can be
+// meshed, and hardly one of the others (docs/assessment.md).
 #pragma once
 
 #include <array>
@@ -22,11 +22,17 @@ struct LayoutFault {
   bool is_of_size = true;  ///< another element size may mend it
 };
 
-/// Why not, with the entities that the stage names; empty where imprint and intervals can be had at
-/// the wished size. Each distance of merging near curves is tried. Cost: that of imprint and
-/// intervals, of each distance where it fails. Throws Cancelled and the options' InputError.
+/// Why not, with the entities that the stage names; empty where imprint, intervals and grids can be
+/// had at the wished size. Each distance of merging near curves is tried. `is_trial`: the sentence
+/// need not be for people (IntervalOptions). Cost: that of imprint and intervals, of each distance
+/// where it fails. Throws Cancelled and the options' InputError.
 std::optional<LayoutFault> layout_fault(const Model& model, const Scheme& scheme,
-                                        const SweepOptions& options, Context& context);
+                                        const SweepOptions& options, Context& context,
+                                        bool is_trial);
+
+/// Whether an error says that there is no layout, or no valid mesh of the boundary, rather than
+/// that something failed.
+bool is_fault_of_layout(const Error& error);
 
 /// The verdict where no scheme can be laid out, and what it says of an error of imprint or
 /// intervals.
@@ -37,8 +43,8 @@ Assessment without_layout(const Error& error);
 inline constexpr std::array kSizeShares = {1.0, 0.85, 1.2, 0.7};
 
 /// Takes the schemes from a verdict on a solid without picks where none of those that sweep() would
-/// try can be laid out at any of its sizes; the first one's fault is the reason. Schemes from one
-/// face to one are not doubted. Cost: mostly one imprint at the default size.
+/// try can be laid out at any of its sizes; the first one's fault is the reason. Cost: mostly one
+/// layout at the default size.
 void refuse_without_layout(const Model& model, Context& context, Assessment& verdict);
 
 /// Takes the schemes from a verdict that cannot be laid out. Where none is left, the first one's

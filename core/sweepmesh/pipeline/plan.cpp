@@ -7,6 +7,7 @@
 
 #include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/fold_verdict.h"
 #include "sweepmesh/pipeline/layout.h"
 
 namespace sweepmesh {
@@ -139,7 +140,7 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   SweepPlan plan;
   plan.size = options.size.value_or(default_size(model));
   refuse_explosion(model, options, plan.size);
-  plan.assessment = assess(model, picks, context);
+  plan.assessment = assess_with_shape(model, picks, context);
   if (!plan.assessment.is_sweepable())
     return plan_of_unsweepable(model, picks, options, context, std::move(plan));
   try {
@@ -151,7 +152,7 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
     RoundDivision division(model, picks, options);
     if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
       return *divided;
-    if (!is_free(picks) || !dynamic_cast<const ImprintError*>(&error)) throw;
+    if (!is_free(picks) || !is_fault_of_layout(error)) throw;
     SweepPlan refused;
     refused.size = plan.size;
     refused.assessment = without_layout(error);

@@ -94,7 +94,7 @@ class Assessor {
     if (auto found = try_walled()) return *found;
     if (auto found = try_radial()) {
       if (picks_.types.empty()) return *found;
-      return {{}, {type_reason(picks_.types)}};
+      return {{}, {type_reason(picks_.types, {})}};
     }
     return refuse(lenient);
   }
@@ -199,7 +199,29 @@ class Assessor {
       without.erase(without.begin() + i);
       if (!can_hold(without)) left = without;
     }
-    return Assessment{{}, {type_reason(left)}};
+    return Assessment{{}, {type_reason(left, type_instead_of(left.back()))}};
+  }
+
+  /// The type of that vertex in the best scheme where it is free, its face links and all other
+  /// types hold.
+  std::optional<TypePick> type_instead_of(TypePick pick) {
+    std::vector<TypePick> others = picks_.types;
+    std::erase_if(
+        others, [&](const TypePick& t) { return t.face == pick.face && t.vertex == pick.vertex; });
+    std::vector<Pick> asked = with_types(chosen_, others);
+    asked.emplace_back(pick.face, kLinkingStates);
+    for (const AngleLimits& limits : {strict_limits(), tangent_limits(), lenient_limits()}) {
+      const Network network = make_network(problem_, limits, fixed_corners(problem_, others));
+      const auto found = graded_search(network, asked, budget_, context_).divisions;
+      if (found.empty()) continue;
+      const Scheme scheme = to_scheme(network, found.front(), model_.n_faces(), model_.n_edges());
+      const auto& loops = model_.loops(pick.face);
+      for (std::size_t l = 0; l < loops.size(); ++l)
+        for (std::size_t c = 0; c < loops[l].size(); ++c)
+          if (loops[l][c].end == pick.vertex) pick.type = scheme.face[pick.face.index].type[l][c];
+      return pick;
+    }
+    return {};
   }
 
   Assessment refuse(const Network& lenient) {
@@ -233,9 +255,13 @@ class Assessor {
   Assessment refuse_picks(const Network& strict, const Network& lenient) {
     SearchResult free = graded_search(strict, {}, budget_, context_);
     if (free.divisions.empty()) return refuse(lenient);
-    return {{},
-            {pick_reason(strict, blamed_picks(lenient, chosen_, budget_, context_),
-                         free.divisions.front())}};
+    const std::vector<FaceId> blamed = blamed_picks(lenient, chosen_, budget_, context_);
+    std::vector<Pick> others = chosen_;
+    std::erase_if(others, [&](const Pick& pick) { return pick.first == blamed.front(); });
+    const SearchResult kept = graded_search(strict, others, budget_, context_);
+    return {
+        {},
+        {pick_reason(strict, blamed, (kept.divisions.empty() ? free : kept).divisions.front())}};
   }
 
   const Model& model_;

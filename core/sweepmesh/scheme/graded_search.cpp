@@ -6,8 +6,10 @@ namespace sweepmesh {
 namespace {
 
 /// Costs up to which schemes are looked for, one after the other until one is found: with a low
-/// limit most choices are ruled out at once.
-constexpr std::array kCostLimits = {2.0, 4.0, 8.0, 16.0, 64.0, kImpossible};
+/// limit most choices are ruled out at once, and a solid with many rounds to turn at has a high
+/// cost.
+constexpr std::array kCostLimits = {2.0,   4.0,   8.0,   16.0,   32.0,   64.0,
+                                    128.0, 256.0, 512.0, 1024.0, 2048.0, kImpossible};
 
 /// Schemes that cost so much more than the best are offered too.
 constexpr double kOffered = 2.0;

@@ -29,6 +29,10 @@ std::vector<std::string> faces_with(const Network& n, const Choices& choices, St
   return out;
 }
 
+std::string text_of(const TypePick& pick) {
+  return name_of(pick.vertex) + " of " + name_of(pick.face) + " as " + name_of(pick.type);
+}
+
 std::vector<std::string> neighbours(const Network& n, int face) {
   std::set<FaceId> ids;
   const int first = n.problem.first_coedge(face);
@@ -209,25 +213,27 @@ Reason angle_reason(const Network& network, const Division& division) {
 
 Reason pick_reason(const Network& network, const std::vector<FaceId>& blamed,
                    const Division& best) {
+  constexpr std::size_t all = 1000;  // somebody is to pick them
   std::vector<std::string> entities;
   for (FaceId id : blamed) entities.push_back(name_of(id));
   return {ReasonKind::prescribed,
           "The solid can be swept, but not with " + joined(entities) + " as picked. It can with " +
-              joined(faces_with(network, best.choices, kSourceStates)) + " as sources and " +
-              joined(faces_with(network, best.choices, kTargetStates)) + " as targets.",
+              joined(faces_with(network, best.choices, kSourceStates), all) + " as sources and " +
+              joined(faces_with(network, best.choices, kTargetStates), all) + " as targets.",
           entities};
 }
 
-Reason type_reason(const std::vector<TypePick>& blamed) {
+Reason type_reason(const std::vector<TypePick>& blamed, const std::optional<TypePick>& instead) {
   Reason out{ReasonKind::prescribed, {}, {}};
   std::string list;
   for (const TypePick& pick : blamed) {
-    list += (list.empty() ? "" : ", ") + name_of(pick.vertex) + " of " + name_of(pick.face) +
-            " as " + name_of(pick.type);
+    list += (list.empty() ? "" : ", ") + text_of(pick);
     out.entities.push_back(name_of(pick.vertex));
     out.entities.push_back(name_of(pick.face));
   }
-  out.text = "The solid can be swept, but not with " + list + ". Free one of these vertex types.";
+  out.text =
+      "The solid can be swept, but not with " + list + ". " +
+      (instead ? "It can with " + text_of(*instead) + "." : "Free one of these vertex types.");
   return out;
 }
 

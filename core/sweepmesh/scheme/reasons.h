@@ -2,6 +2,7 @@
 // out.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sweepmesh/scheme/role_search.h"
@@ -29,10 +30,12 @@ Reason reason_of_walls(const Network& network, const OpposedWalls& walls);
 Reason angle_reason(const Network& network, const Division& division);
 
 /// What of the picks is in the way, given that the solid can be swept without them. `blamed` are
-/// the picks without each of which the others hold; `best` is what would be found with no picks.
+/// the picks without each of which the others hold; `best` is a way out: all sources and targets
+/// that can be picked, with as much of what was picked as there is.
 Reason pick_reason(const Network& network, const std::vector<FaceId>& blamed, const Division& best);
 
 /// Vertex types that cannot hold together, given that the solid can be swept without them.
-Reason type_reason(const std::vector<TypePick>& blamed);
+/// `instead`: a type that lets the others hold, where there is one.
+Reason type_reason(const std::vector<TypePick>& blamed, const std::optional<TypePick>& instead);
 
 }  // namespace sweepmesh

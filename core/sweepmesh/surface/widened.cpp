@@ -280,6 +280,19 @@ std::vector<int> cells_narrower_than(double share, const PlanarMesh& mesh,
   return out;
 }
 
+double evenness(const PlanarMesh& mesh, const std::vector<Point2>& points,
+                const SideLengths& wished, const Metric& metric) {
+  double sum = 0.0;
+  long n = 0;
+  for_each_side(mesh, [&](int c, int side, int a, int b) {
+    if (std::max(a, b) < mesh.n_boundary) return;
+    const Eigen::Matrix2d root = root_of(mesh, points, c, metric);
+    sum += std::min(1.0, (root * (points[b] - points[a])).norm() / wished[side]);
+    ++n;
+  });
+  return n == 0 ? 1.0 : sum / static_cast<double>(n);
+}
+
 std::vector<Point2> widened(const PlanarMesh& mesh, const std::vector<Point2>& points,
                             const SideLengths& wished, const WidenOptions& options,
                             const Metric& metric, const Context& context) {

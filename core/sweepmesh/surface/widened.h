@@ -30,6 +30,11 @@ std::vector<int> cells_narrower_than(double share, const PlanarMesh& mesh,
                                      const std::vector<Point2>& points, const SideLengths& wished,
                                      const Metric& metric);
 
+/// How nearly sides are as long as wished: the mean over the inner sides of length over wished
+/// length, at most 1 each; 1 where there are none.
+double evenness(const PlanarMesh& mesh, const std::vector<Point2>& points,
+                const SideLengths& wished, const Metric& metric);
+
 struct WidenOptions {
   /// Sides shorter than this part of the wished length are squeezed, 0..1.
   double squeezed = 0.25;

@@ -16,12 +16,22 @@ void weighted_sum(float* y, const float* const* x, const float* a, int m, const 
 void subtract_weighted_sum(float* y, const float* b, const float* const* x, const float* a, int m,
                            const float* s, long n);
 
+/// Columns that are found from one of them, by steps of three floats.
+struct Neighbours {
+  const float* own;
+  const int* step;
+
+  const float* operator[](int j) const { return own + 3L * step[j]; }
+};
+void subtract_weighted_sum(float* y, const float* b, const Neighbours& x, const float* a, int m,
+                           const float* s, long n);
+
 /// One column's share of A x. Arrays over levels hold everything three times.
 struct ColumnProduct {
-  const float* x;               ///< the column's own; may be read three floats beyond its ends
-  const float* const* streams;  ///< all that its base row has, itself too; `n_streams` of them
+  const float* x;         ///< the column's own; may be read three floats beyond its ends
+  Neighbours neighbours;  ///< all that its base row has, itself too; `n_neighbours` of them
   const float* weight;
-  int n_streams;
+  int n_neighbours;
   const float* share;
   const float *up, *down;                ///< springs to the next node of the column; 0 at its ends
   const float *up_beyond, *down_beyond;  ///< springs from its ends to what is fixed; 0 elsewhere

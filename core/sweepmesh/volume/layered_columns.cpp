@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sweepmesh/volume/layer_kernels.h"
 
@@ -43,11 +44,10 @@ struct LayeredColumns::Scratch {
     right[n * length] = 0.0f;
   }
   /// The neighbours' values from level `first` on.
-  const float* const* gather(const LayeredSystem& s, const BaseRows& rows, int begin, int end,
-                             const float* x, int first) {
-    if (static_cast<int>(streams.size()) < end - begin) streams.resize(end - begin);
-    const float** out = streams.data();
-    for (int e = begin; e < end; ++e) *out++ = s.at(x, rows.neighbour[e], first);
+  const float* const* gather(const LayeredSystem& s, const BaseMatrix::Row& row, const float* x,
+                             int first) {
+    if (static_cast<int>(streams.size()) < row.n) streams.resize(row.n);
+    for (int e = 0; e < row.n; ++e) streams[e] = s.at(x, row.column[e], first);
     return streams.data();
   }
 };
@@ -58,6 +58,7 @@ LayeredColumns::LayeredColumns(const LayeredSystem& system, ThreadTeam& team)
   make_chunks();
   find_reach();
   find_whole();
+  find_steps();
   factor();
   find_radius();
 }
@@ -94,8 +95,8 @@ void LayeredColumns::find_reach() {
   team_.for_chunks(n_chunks(), 1, [&](long chunk, long, long) {
     int end = chunk_[chunk + 1];
     for (const BaseRows& rows : s_.rows)
-      for (int e = rows.offset[chunk_[chunk]]; e < rows.offset[chunk_[chunk + 1]]; ++e)
-        end = std::max(end, rows.neighbour[e] + 1);
+      for (int c = chunk_[chunk]; c < chunk_[chunk + 1]; ++c)
+        rows.matrix.for_row(c, [&](int b, float) { end = std::max(end, b + 1); });
     reach_[chunk] = chunks_before(end);
   });
 }
@@ -106,6 +107,25 @@ void LayeredColumns::find_whole() {
     for (int t = 0; t < s_.n_bands(); ++t)
       if (s_.band_begin[t] == s_.low[c] && s_.band_begin[t + 1] == s_.high[c] + 1)
         whole_band_[c] = t;
+  });
+}
+
+void LayeredColumns::find_steps() {
+  const int n = s_.n_columns();
+  row_begin_.assign(n + 1, 0);
+  for_columns([&](int c) {
+    if (is_whole(c)) row_begin_[c + 1] = s_.rows[whole_band_[c]].matrix.row(c).n;
+  });
+  std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
+  step_.resize(row_begin_.back());
+  weight_.resize(row_begin_.back());
+  for_columns([&](int c) {
+    if (!is_whole(c)) return;
+    int e = row_begin_[c];
+    s_.rows[whole_band_[c]].matrix.for_row(c, [&](int b, float w) {
+      step_[e] = static_cast<int>((s_.start[b] - s_.start[c]) / 3);
+      weight_[e++] = w;
+    });
   });
 }
 
@@ -144,26 +164,24 @@ void LayeredColumns::find_radius() {
       for (int c = chunk_[chunk]; c < chunk_[chunk + 1]; ++c) {
         if (rows.diagonal[c] <= 0.0f) continue;
         double sum = 0.0;
-        for (int e = rows.offset[c]; e < rows.offset[c + 1]; ++e) sum += std::abs(rows.weight[e]);
+        rows.matrix.for_row(c, [&](int, float w) { sum += std::abs(w); });
         radius[chunk] = std::max(radius[chunk], sum / rows.diagonal[c]);
       }
   });
   radius_ = *std::max_element(radius.begin(), radius.end());
 }
 
-void LayeredColumns::multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
-                                    float* y) const {
-  const int t = whole_band_[column], low = s_.low[column], begin = s_.rows[t].offset[column];
-  const BaseRows& rows = s_.rows[t];
-  const auto mass = [&](int v, const std::vector<float> LayerClass::*which) {
+void LayeredColumns::multiply_whole(const float* x, int column, const float* b, float* y) const {
+  const int t = whole_band_[column], low = s_.low[column];
+  const auto mass = [&](int v, const Floats LayerClass::*which) {
     if (v < 0 || (s_.layers[v].*which).empty()) return 0.0f;
     return (s_.layers[v].*which)[column];
   };
   kernels::ColumnProduct c;
   c.x = s_.at(x, column, low);
-  c.n_streams = rows.offset[column + 1] - begin;
-  c.streams = scratch.gather(s_, rows, begin, begin + c.n_streams, x, low);
-  c.weight = rows.weight.data() + begin;
+  c.neighbours = neighbours(x, column);
+  c.n_neighbours = n_neighbours(column);
+  c.weight = weight_.data() + row_begin_[column];
   c.share = s_.share.data() + 3L * low;
   c.up = up_.data() + 3L * low;
   c.down = down_.data() + 3L * low;
@@ -181,9 +199,9 @@ void LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, 
   const int low = s_.low[column], high = s_.high[column];
   std::fill_n(y, length(column), 0.0f);
   for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
-    const int e = rows.offset[column], n = rows.offset[column + 1] - e;
-    const float* const* streams = scratch.gather(s_, rows, e, e + n, x, first);
-    kernels::weighted_sum(y + 3L * (first - low), streams, rows.weight.data() + e, n,
+    const BaseMatrix::Row row = rows.matrix.row(column);
+    const float* const* streams = scratch.gather(s_, row, x, first);
+    kernels::weighted_sum(y + 3L * (first - low), streams, row.value, row.n,
                           s_.share.data() + 3L * first, 3L * (last - first));
   });
   const float* own = s_.at(x, column, low);
@@ -205,7 +223,7 @@ double LayeredColumns::multiply(int chunk, const Floats& x, Floats& y) const {
   thread_local Scratch scratch;
   for_columns(chunk, [&](int c) {
     float* out = y.data() + s_.offset[c];
-    is_whole(c) ? multiply_whole(x.data(), c, nullptr, scratch, out)
+    is_whole(c) ? multiply_whole(x.data(), c, nullptr, out)
                 : multiply_any(x.data(), c, scratch, out);
   });
   return dot(chunk, x, y);
@@ -233,7 +251,7 @@ void LayeredColumns::add_residual(const Floats& b, const Floats& x, Floats& r,
       const float* right = b.data() + s_.offset[c];
       float* out = r.data() + s_.offset[c];
       if (is_whole(c)) {
-        multiply_whole(x.data(), c, right, scratch, out);
+        multiply_whole(x.data(), c, right, out);
       } else {
         multiply_any(x.data(), c, scratch, out);
         kernels::combine(out, right, -1.0f, 1.0f, length(c));
@@ -245,17 +263,22 @@ void LayeredColumns::add_residual(const Floats& b, const Floats& x, Floats& r,
 
 void LayeredColumns::right_of(const float* b, const float* y, int column, Scratch& scratch,
                               float* out) const {
-  const auto subtract = [&](const BaseRows& rows, int first, int last) {
-    const int begin = rows.offset[column] + 1, end = rows.offset[column + 1];  // but the diagonal
-    const float* const* streams = scratch.gather(s_, rows, begin, end, y, first);
-    const long from = 3L * (first - s_.low[column]);
-    kernels::subtract_weighted_sum(out + from, b + from, streams, rows.weight.data() + begin,
-                                   end - begin, s_.share.data() + 3L * first, 3L * (last - first));
-  };
-  if (is_whole(column))
-    return subtract(s_.rows[whole_band_[column]], s_.low[column], s_.high[column] + 1);
+  if (is_whole(column)) {
+    kernels::Neighbours others = neighbours(y, column);
+    ++others.step;  // but the diagonal
+    return kernels::subtract_weighted_sum(out, b, others, weight_.data() + row_begin_[column] + 1,
+                                          n_neighbours(column) - 1,
+                                          s_.share.data() + 3L * s_.low[column], length(column));
+  }
   std::copy_n(b, length(column), out);
-  for_free_bands(s_, column, subtract);
+  for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
+    const BaseMatrix::Row all = rows.matrix.row(column),
+                          row = {all.column + 1, all.value + 1, all.n - 1};  // but the diagonal
+    const float* const* streams = scratch.gather(s_, row, y, first);
+    const long from = 3L * (first - s_.low[column]);
+    kernels::subtract_weighted_sum(out + from, b + from, streams, row.value, row.n,
+                                   s_.share.data() + 3L * first, 3L * (last - first));
+  });
 }
 
 void LayeredColumns::couplings_of(int column, float* out) const {

@@ -13,6 +13,7 @@
 #include "sweepmesh/base/parallel.h"
 #include "sweepmesh/volume/chunk_stages.h"
 #include "sweepmesh/volume/floats.h"
+#include "sweepmesh/volume/layer_kernels.h"
 #include "sweepmesh/volume/layered_system.h"
 
 namespace sweepmesh {
@@ -80,6 +81,7 @@ class LayeredColumns {
   void set_springs();
   void find_reach();
   void find_whole();
+  void find_steps();
   void factor();
   void find_radius();
   /// One step of the smoother; `y` null stands for zero.
@@ -87,12 +89,17 @@ class LayeredColumns {
   /// The same for columns first .. first + n - 1, which are one or all alike.
   void step_columns(const Floats& b, const Floats* y, const Mix& mix, int first, int n,
                     Scratch& scratch, Floats& result) const;
+  /// A column's neighbours at its first level, itself first.
+  kernels::Neighbours neighbours(const float* x, int column) const {
+    return {x + s_.offset[column], step_.data() + row_begin_[column]};
+  }
+  int n_neighbours(int column) const { return row_begin_[column + 1] - row_begin_[column]; }
   /// out = b - O y for one column.
   void right_of(const float* b, const float* y, int column, Scratch& scratch, float* out) const;
   /// x . y over the columns of a chunk.
   double dot(int chunk, const Floats& x, const Floats& y) const;
   /// A column's y = A x, or b - A x if there is a b.
-  void multiply_whole(const float* x, int column, const float* b, Scratch& scratch, float* y) const;
+  void multiply_whole(const float* x, int column, const float* b, float* y) const;
   void multiply_any(const float* x, int column, Scratch& scratch, float* y) const;
   /// Couplings of the layers inside a column's hull.
   void couplings_of(int column, float* out) const;
@@ -104,7 +111,11 @@ class LayeredColumns {
   std::vector<int> chunk_;  ///< first column of every chunk, and the end
   std::vector<int> reach_;
   std::vector<int> whole_band_;  ///< per column: the band that is its hull, or -1
-  Floats spring_;                ///< per layer, once
+  /// Rows of the columns that are whole in that band, the diagonal first: steps in nodes.
+  std::vector<int> row_begin_;
+  Ints step_;
+  Floats weight_;
+  Floats spring_;  ///< per layer, once
   /// Per level, three times: the springs of a column that is whole (kernels::ColumnProduct).
   Floats up_, down_, up_beyond_, down_beyond_;
   Floats pivot_;         ///< inverse pivots of the columns, one a node

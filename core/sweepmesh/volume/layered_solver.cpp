@@ -12,30 +12,19 @@
 namespace sweepmesh {
 namespace {
 
-/// Base matrices in compressed rows, for transfers between levels.
-struct Transfer {
-  std::vector<int> offset, column;
-  std::vector<float> weight;
-
-  explicit Transfer(BaseMatrix m)
-      : offset(std::move(m.offset)),
-        column(std::move(m.column)),
-        weight(m.value.begin(), m.value.end()) {}
-};
-
 /// The hierarchy and one V-cycle on it.
 class Multigrid {
  public:
-  Multigrid(const LayeredLevel& finest, ThreadTeam& team) : team_(team) {
-    for (const LayeredLevel* level = &finest;; level = coarser_.back().get()) {
-      levels_.push_back(std::make_unique<LayeredColumns>(level->system, team));
+  Multigrid(const LayeredSystem& finest, ThreadTeam& team) : team_(team) {
+    for (const LayeredSystem* level = &finest;; level = coarser_.back().get()) {
+      levels_.push_back(std::make_unique<LayeredColumns>(*level, team));
       BaseMatrix p = make_prolongation(*level, team);
-      if (p.n_cols == 0 || 4 * p.n_cols > 3 * (p.n_rows() - n_empty(level->system))) break;
+      if (p.n_cols == 0 || 4 * p.n_cols > 3 * (p.n_rows - n_empty(*level))) break;
       BaseMatrix r = transposed(p);
-      coarser_.push_back(std::make_unique<LayeredLevel>(make_coarser(*level, p, r, team)));
+      coarser_.push_back(std::make_unique<LayeredSystem>(make_coarser(*level, p, r, team)));
       down_.emplace_back(std::move(r));
       up_.emplace_back(std::move(p));
-      vectors_.emplace_back(coarser_.back()->system);
+      vectors_.emplace_back(*coarser_.back());
     }
     for (int l = 0; l + 1 < n_levels(); ++l) reach_down_.push_back(reach_down(l));
   }
@@ -94,8 +83,7 @@ class Multigrid {
     for (int chunk = 0; chunk < levels_[l + 1]->n_chunks(); ++chunk) {
       int end = 0;
       levels_[l + 1]->for_columns(chunk, [&](int c) {
-        for (int e = down_[l].offset[c]; e < down_[l].offset[c + 1]; ++e)
-          end = std::max(end, down_[l].column[e] + 1);
+        down_[l].for_row(c, [&](int column, float) { end = std::max(end, column + 1); });
       });
       reach.push_back(levels_[l]->chunks_before(end));
     }
@@ -106,7 +94,7 @@ class Multigrid {
   void restrict_to(int l, int chunk, const Floats& fine, Floats& coarse) const {
     const LayeredSystem &f = levels_[l]->system(), &s = levels_[l + 1]->system();
     levels_[l + 1]->for_columns(chunk, [&](int c) {
-      set_to_entries(down_[l], c, f, fine, nullptr, s.low[c], s.high[c],
+      set_to_entries(down_[l].row(c), f, fine, nullptr, s.low[c], s.high[c],
                      coarse.data() + s.offset[c]);
     });
   }
@@ -117,20 +105,20 @@ class Multigrid {
       if (!levels_[l]->is_whole(c))
         std::fill_n(to.data() + s.offset[c], levels_[l]->length(c), 0.0f);
       for_free_bands(s, c, [&](const BaseRows&, int first, int last) {
-        set_to_entries(up_[l], c, t, coarse, s.at(from.data(), c, first), first, last - 1,
+        set_to_entries(up_[l].row(c), t, coarse, s.at(from.data(), c, first), first, last - 1,
                        s.at(to.data(), c, first));
       });
     });
   }
   /// out = base (zero if null) + a row's entries times a vector of the system `f`, for the levels
   /// low .. high.
-  static void set_to_entries(const Transfer& p, int row, const LayeredSystem& f, const Floats& from,
+  static void set_to_entries(const BaseMatrix::Row& row, const LayeredSystem& f, const Floats& from,
                              const float* base, int low, int high, float* out) {
     constexpr int few = 64;
     const float* streams[few];
-    const int begin = p.offset[row], n_entries = p.offset[row + 1] - begin;
-    const int* columns = p.column.data() + begin;
-    const float* weights = p.weight.data() + begin;
+    const int n_entries = row.n;
+    const int* columns = row.column;
+    const float* weights = row.value;
     const long n = 3L * (high - low + 1);
     bool are_covered = n_entries <= few;
     for (int e = 0; e < n_entries && are_covered; ++e) {
@@ -148,9 +136,9 @@ class Multigrid {
   }
 
   ThreadTeam& team_;
-  std::vector<std::unique_ptr<LayeredLevel>> coarser_;
+  std::vector<std::unique_ptr<LayeredSystem>> coarser_;
   std::vector<std::unique_ptr<LayeredColumns>> levels_;
-  std::vector<Transfer> down_, up_;  ///< between level l and l + 1
+  std::vector<BaseMatrix> down_, up_;  ///< between level l and l + 1
   std::vector<std::vector<int>> reach_down_;
   std::vector<Vectors> vectors_;  ///< of level l + 1
 };
@@ -197,11 +185,11 @@ double contraction(double rate) {
 
 }  // namespace
 
-SolverReport solve(const LayeredLevel& finest, Floats& x, const SolverOptions& options,
+SolverReport solve(const LayeredSystem& finest, Floats& x, const SolverOptions& options,
                    ThreadTeam& team, const Context& context) {
   Multigrid multigrid(finest, team);
   const LayeredColumns& level = multigrid.finest();
-  const auto vector = [&] { return finest.system.make_vector(); };
+  const auto vector = [&] { return finest.make_vector(); };
   Floats r = std::move(x), z = vector(), p = vector(), w = vector();
   x = vector();
   SolverReport report = {0, multigrid.n_levels(), 1.0};

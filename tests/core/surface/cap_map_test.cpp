@@ -164,6 +164,33 @@ TEST(CapMap, bands_narrower_than_they_should_be_become_wider) {
   EXPECT_EQ(widened(mesh, points, wished, {}, {}, context), points) << "inverted: left alone";
 }
 
+/// Of the worse end, whatever the other one pays for it.
+double evenness_of(const PlanarMesh& mesh, const std::vector<Point2>& second) {
+  PlanarMesh there = mesh;
+  there.points = second;
+  return std::min(evenness(mesh, mesh.points, lengths_of_regular(mesh, {}), {}),
+                  evenness(there, second, lengths_of_regular(there, {}), {}));
+}
+
+TEST(CapMap, a_pair_shares_between_its_ends_what_squeezes_cells) {
+  const Context context;
+  PlanarMeshOptions options;
+  for (const double shift : {8.0, 10.0, 12.0, 14.0})
+    for (const double size : {3.8, 3.0, 2.6, 2.2}) {
+      const int n = 2 * static_cast<int>(std::lround(9.0 * pi / size));
+      const auto with_hole = [&](double at) {
+        return PlanarLoops{rectangle({0, 0}, {60, 60}, size), as_hole(circle(n, 9.0, {at, at}))};
+      };
+      options.size = size;
+      const PlanarPair pair =
+          mesh_planar_pair(with_hole(30.0 - shift), with_hole(30.0 + shift), options, {}, context);
+      EXPECT_GT(evenness_of(pair.first, pair.second), shift < 14.0 ? 0.78 : 0.5)
+          << size << " " << shift;
+      EXPECT_GT(std::min(pair.first_quality.min, pair.second_quality.min), 0.4)
+          << size << " " << shift;
+    }
+}
+
 TEST(CapMap, a_valid_map_is_left_alone_where_it_is_good) {
   const Context context;
   const PlanarLoops source = block_with_hole(3.0);
