@@ -4,12 +4,15 @@
 // walls are the linking faces there; the columns of their structured coordinates, cut at every
 // layer, make closed rings, which lie over each other column by column:
 //
-//      k_high  o------o------o      layers[k - k_low][j]: column j at layer k. The material is on
-//      the
-//              |      |      |      left of j -> j + 1 seen from above (larger k): the outer ring
-//              runs o------o------o      counterclockwise, the rings of holes clockwise. |      | |
-//       k_low  o------o------o
-//              j
+//   k_high  o------o------o
+//           |      |      |     layers[k - k_low][j]: column j at layer k
+//           o------o------o
+//           |      |      |
+//    k_low  o------o------o
+//           j
+//
+// The material is on the left of j -> j + 1 seen from above (larger k): the outer ring runs
+// counterclockwise, the rings of holes clockwise.
 #pragma once
 
 #include <vector>
