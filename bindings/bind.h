@@ -17,5 +17,6 @@ void bind_quality(pybind11::module_& module);
 void bind_sweep(pybind11::module_& module);
 void bind_plan(pybind11::module_& module);
 void bind_imprint(pybind11::module_& module);
+void bind_fold(pybind11::module_& module);
 
 }  // namespace sweepmesh

@@ -69,7 +69,8 @@ void bind_options(py::module_& module) {
           py::arg("edge"), py::arg("bias"))
       .def_readwrite("sweep_bias", &SweepOptions::sweep_bias)
       .def_readwrite("imprint_tolerance", &SweepOptions::imprint_tolerance)
-      .def_readwrite("max_elements", &SweepOptions::max_elements);
+      .def_readwrite("max_elements", &SweepOptions::max_elements)
+      .def_readwrite("refuse_folds", &SweepOptions::refuse_folds);
 }
 
 }  // namespace

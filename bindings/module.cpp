@@ -12,4 +12,5 @@ PYBIND11_MODULE(_sweepmesh, module) {
   sweepmesh::bind_sweep(module);
   sweepmesh::bind_plan(module);
   sweepmesh::bind_imprint(module);
+  sweepmesh::bind_fold(module);
 }

@@ -138,3 +138,81 @@ def test_a_cusp_is_named():
     result = meshed(shape)
     assert least(result) < 0.2
     assert any("own angles" in w and "Vertex" in w for w in result.warnings)
+
+
+def junction(outer, bore, across, across_bore):
+    """Two pipes that cross: solid ones united, then bored."""
+    y = vec(0, 1, 0)
+    solid = union(rod(outer, vec(0, 0, -36), 72), rod(across, vec(0, -38, 0), 76, y))
+    return minus(solid, union(rod(bore, vec(0, 0, -36), 72), rod(across_bore, vec(0, -38, 0), 76, y)))
+
+
+@pytest.mark.parametrize("radii", [(20, 14, 12, 7), (20, 14, 17, 12), (20, 17.5, 12, 10)])
+def test_crossing_pipes_are_swept_through_their_walls(radii):
+    result = meshed(junction(*radii))
+    assert least(result) > 0.4
+    ends = [face for face, role in result.assessment.roles.items() if role == "linking"]
+    assert len(ends) == 4
+
+
+def spline(points):
+    curve = Part.BSplineCurve()
+    curve.interpolate(Points=[vec(*p) for p in points])
+    return curve.toShape()
+
+
+def spline_pipe():
+    """A pipe along a curve in space."""
+    path = Part.Wire(spline([(0, 0, 0), (0, 5, 25), (15, 20, 45), (40, 25, 50), (60, 10, 60)]))
+    along = path.Edges[0].tangentAt(path.Edges[0].FirstParameter)
+    outer, inner = [
+        path.makePipeShell([Part.Wire(Part.Circle(vec(0, 0, 0), along, r).toShape())], True, False) for r in (6, 4)
+    ]
+    return minus(outer, inner)
+
+
+def blade_wheel():
+    """Curved blades on a disc, round a bored hub."""
+    blades = []
+    for i in range(6):
+        def at(t, lag):
+            a = math.radians(-6 * t + 60 * i + lag)
+            return ((9 + 3 * t) * math.cos(a), (9 + 3 * t) * math.sin(a), 4)
+
+        outer = [at(t, 0) for t in range(10)]
+        inner = [at(t, 14 if t < 1 else 120 / (9 + 3 * t)) for t in range(10)]
+        ends = [line(vec(*outer[-1]), vec(*inner[-1])), line(vec(*inner[0]), vec(*outer[0]))]
+        rim = Part.Wire([spline(outer), ends[0], spline(inner[::-1]), ends[1]])
+        blades.append(planar(rim).extrude(vec(0, 0, 10)))
+    solid = union(rod(38, vec(0, 0, 0), 4), rod(11, vec(0, 0, 0), 14), *blades)
+    return minus(solid, rod(5, vec(0, 0, -5), 60))
+
+
+def letters():
+    """Cutouts with many re-entrant corners."""
+    h = [(0, 0), (4, 0), (4, 8), (10, 8), (10, 0), (14, 0), (14, 20), (10, 20), (10, 12), (4, 12), (4, 20), (0, 20)]
+    e = [(0, 0), (12, 0), (12, 4), (4, 4), (4, 8), (10, 8), (10, 12), (4, 12), (4, 16), (12, 16), (12, 20), (0, 20)]
+    holes = [polygon_prism([[(x + a, 10 + b, z) for a, b in c] for z in (-5, 15)]) for c, x in ((h, 8), (e, 28))]
+    return minus(box(0, 50, 0, 40, 0, 6), *holes)
+
+
+def geneva_wheel():
+    def on(radius, angle):
+        return vec(radius * math.cos(angle), radius * math.sin(angle), -5)
+
+    tools = [rod(12, on(48, math.radians(60 * i + 30)), 20) for i in range(6)]
+    for i in range(6):
+        slot = union(box(19, 49, -2.5, 2.5, -5, 15), rod(2.5, vec(19, 0, -5), 20))
+        slot.rotate(vec(0, 0, 0), vec(0, 0, 1), 60 * i)
+        tools.append(slot)
+    return minus(rod(40, vec(0, 0, 0), 6), *tools, rod(6, vec(0, 0, -5), 30))
+
+
+@pytest.mark.parametrize("part", [spline_pipe, blade_wheel, letters, geneva_wheel])
+@pytest.mark.parametrize("scale, far", [(1, 0), (0.03, 0), (1e3, 1e6)])
+def test_parts_that_people_draw(part, scale, far):
+    """Small, large, and far from the origin. (Smaller still, OpenCASCADE's distances to a bent pipe miss its near side.)"""
+    shape = part()
+    shape.scale(scale)
+    shape.translate(vec(far, -2 * far, far / 3))
+    assert least(meshed(shape.Solids[0])) > 0.4

@@ -18,6 +18,7 @@ from sweepmesh.engine.plans import EdgeDirection, SweepPlan, VirtualCorner, plan
 from sweepmesh.engine.progress import Progress
 from sweepmesh.engine.results import Assessment, Reason, Result
 from sweepmesh.engine.stages import assess, mesh
+from sweepmesh.engine.windings import HoleWinding, hole_winding
 
 __all__ = [
     "Assessment",
@@ -25,6 +26,7 @@ __all__ = [
     "Cut",
     "EdgeDirection",
     "FaceCorner",
+    "HoleWinding",
     "Imprint",
     "ImprintError",
     "InputError",
@@ -42,6 +44,7 @@ __all__ = [
     "assess",
     "face_at",
     "face_types",
+    "hole_winding",
     "imprint",
     "mesh",
     "plan",

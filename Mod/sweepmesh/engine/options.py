@@ -26,6 +26,8 @@ class Options:
     """Threads to use; 0 for as many as the machine has. The mesh does not depend on it."""
     max_elements: Optional[int] = None
     """A run that would make more elements is refused. None: the default limit."""
+    refuse_folds: bool = _DEFAULTS.refuse_folds
+    """Whether holes that wind too far to be meshed are refused before any mesh. False: `mesh` tries them all the same."""
     sources: List[int] = dataclasses.field(default_factory=list)
     """Source faces. Empty: found automatically."""
     targets: List[int] = dataclasses.field(default_factory=list)
@@ -60,6 +62,7 @@ class Options:
         core.order = self.order
         if self.max_elements is not None:
             core.max_elements = self.max_elements
+        core.refuse_folds = self.refuse_folds
         self._add_edges_to(core)
         if self.sweep_bias is not None:
             core.sweep_bias = _sweepmesh.Bias(*self.sweep_bias)

@@ -9,13 +9,16 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "sweepmesh/base/context.h"
+
 namespace sweepmesh {
 
-/// A few threads kept for the length of one stage. Between calls they wait: awake for some
+/// A few threads kept for the length of one stage or run. Between calls they wait: awake for some
 /// microseconds, since most calls follow one another closely, then asleep.
 class ThreadTeam {
  public:
@@ -32,6 +35,9 @@ class ThreadTeam {
   }
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
+
+  /// The caller too.
+  int n_threads() const { return static_cast<int>(workers_.size()) + 1; }
 
   static long n_chunks(long n, long grain) { return (n + grain - 1) / grain; }
 
@@ -74,6 +80,20 @@ class ThreadTeam {
     return zero;
   }
 
+  /// What `a` holds when it is no longer `value`; whoever changes it calls notify_all().
+  static std::uint32_t wait_while(const std::atomic<std::uint32_t>& a, std::uint32_t value) {
+    constexpr int spins = 2000;  // some ten microseconds: what it takes to wake a thread
+    for (int i = 0; i < spins; ++i) {
+      const std::uint32_t now = a;
+      if (now != value) return now;
+#if defined(__x86_64__)
+      __builtin_ia32_pause();
+#endif
+    }
+    a.wait(value);
+    return a;
+  }
+
  private:
   struct FirstError {
     std::mutex mutex;
@@ -87,20 +107,6 @@ class ThreadTeam {
       what = std::move(e);
     }
   };
-
-  /// What `a` holds when it is no longer `value`.
-  static std::uint32_t wait_while(const std::atomic<std::uint32_t>& a, std::uint32_t value) {
-    constexpr int spins = 2000;  // some ten microseconds: what it takes to wake a thread
-    for (int i = 0; i < spins; ++i) {
-      const std::uint32_t now = a;
-      if (now != value) return now;
-#if defined(__x86_64__)
-      __builtin_ia32_pause();
-#endif
-    }
-    a.wait(value);
-    return a;
-  }
 
   void start_round(std::uint32_t chunks) {
     const std::uint32_t next = round_ + 1;
@@ -143,5 +149,17 @@ class ThreadTeam {
   std::atomic<std::uint32_t> n_left_ = 0;  ///< chunks of the round that are not done
   std::atomic<bool> is_over_ = false;
 };
+
+/// The team of a run, started at its first use and kept until its context ends. One stage at a time
+/// works with it.
+inline ThreadTeam& team_of(const Context& context) {
+  struct Kept {
+    std::once_flag once;
+    std::unique_ptr<ThreadTeam> team;
+  };
+  Kept& kept = context.kept<Kept>();
+  std::call_once(kept.once, [&] { kept.team = std::make_unique<ThreadTeam>(context.n_threads()); });
+  return *kept.team;
+}
 
 }  // namespace sweepmesh

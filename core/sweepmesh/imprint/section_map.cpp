@@ -267,6 +267,7 @@ std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
   const SectionOutline section = triangulated(loops, points, spacing);
   MapOptions options;
   options.poor = 0.0;  // slivers do no harm to what is carried
+  options.squeezed = 0.0;
   return images_of(map_planar(section.mesh, section.images, options, context).points, section,
                    points.size(), spacing);
 }
@@ -295,6 +296,7 @@ std::vector<Point2> carried_at(const std::vector<OutlinePart>& loops,
     mesh.add_cell(t);
   MapOptions options;
   options.poor = -1.0;
+  options.squeezed = 0.0;
   const std::vector<Point2> images = map_planar(mesh, section.images, options, context).points;
   std::vector<Point2> out;
   for (const Point2& p : points) out.push_back(spacing * image_in(mesh, images, p / spacing));

@@ -5,6 +5,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
+#include <ShapeAnalysis_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Face.hxx>
@@ -27,6 +28,9 @@ struct FaceRecord {
   TopoDS_Face face;  // oriented FORWARD
   bool swapped = false;
   BRepAdaptor_Surface surface;  // untrimmed
+  /// Looks for nearest points. It keeps the grid of points where a search begins, which costs far
+  /// more than the search; made when first asked for.
+  mutable opencascade::handle<ShapeAnalysis_Surface> nearest;
   std::vector<Loop> loops;
 };
 

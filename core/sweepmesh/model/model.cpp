@@ -214,8 +214,9 @@ std::pair<double, double> Model::range(const Coedge& c) const {
 
 Point2 Model::project(FaceId f, const Point3& p) const {
   const FaceRecord& face = impl_->faces[f.index];
-  ShapeAnalysis_Surface analysis(BRep_Tool::Surface(face.face));
-  const gp_Pnt2d uv = analysis.ValueOfUV(to_gp(p), impl_->tolerances.point);
+  if (face.nearest.IsNull())
+    face.nearest = new ShapeAnalysis_Surface(BRep_Tool::Surface(face.face));
+  const gp_Pnt2d uv = face.nearest->ValueOfUV(to_gp(p), impl_->tolerances.point);
   return swapped_if(face, Point2(uv.X(), uv.Y()));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "sweepmesh/pipeline/fold_verdict.h"
 #include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/scheme/round_cuts.h"
 
@@ -233,7 +234,7 @@ std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& cont
 }
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
-  Assessment whole = assess(model, picks, context);
+  Assessment whole = assess_with_shape(model, picks, context);
   const bool has_regular_schemes = whole.is_sweepable();
   if (is_free(picks)) refuse_without_layout(model, context, whole);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;

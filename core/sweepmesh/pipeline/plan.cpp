@@ -7,6 +7,7 @@
 
 #include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/fold_verdict.h"
 #include "sweepmesh/pipeline/layout.h"
 
 namespace sweepmesh {
@@ -139,7 +140,7 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
   SweepPlan plan;
   plan.size = options.size.value_or(default_size(model));
   refuse_explosion(model, options, plan.size);
-  plan.assessment = assess(model, picks, context);
+  plan.assessment = assess_with_shape(model, picks, context);
   if (!plan.assessment.is_sweepable())
     return plan_of_unsweepable(model, picks, options, context, std::move(plan));
   try {

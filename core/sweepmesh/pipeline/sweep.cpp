@@ -11,6 +11,7 @@
 #include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/pipeline/cad_angles.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/fold_verdict.h"
 #include "sweepmesh/pipeline/layout.h"
 #include "sweepmesh/pipeline/scheme_mesh.h"
 
@@ -302,7 +303,10 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
   refuse_explosion(model, options, result.size);
 
   context.report(0.0, "Looking for sources and targets");
-  result.assessment = clock.run("assess", [&] { return assess(model, picks, context); });
+  result.assessment = clock.run("assess", [&] {
+    return options.refuse_folds ? assess_with_shape(model, picks, context)
+                                : assess(model, picks, context);
+  });
   if (!mesh_as_assessed(model, picks, options, clock, context, result)) return result;
 
   context.report(0.9, "Measuring quality");

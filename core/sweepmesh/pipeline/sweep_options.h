@@ -31,6 +31,9 @@ struct SweepOptions {
   /// The run is refused (InputError that says the count) when more elements than this are to be
   /// expected, >= 1.
   long max_elements = 5'000'000;
+  /// Whether schemes whose holes wind too far to be meshed (scheme/fold_bound.h) are refused before
+  /// any mesh. False: they are tried all the same, as the calibration of that bound does.
+  bool refuse_folds = true;
 };
 
 /// The size that fills the solid's volume with about 3000 cubes.

@@ -9,6 +9,7 @@
 
 #include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/divided_sweep.h"
+#include "sweepmesh/pipeline/fold_verdict.h"
 #include "sweepmesh/pipeline/joint_sweep.h"
 #include "sweepmesh/pipeline/merge_meshes.h"
 #include "sweepmesh/pipeline/scheme_choice.h"
@@ -107,7 +108,8 @@ class Sweeper {
       StageClock clock(out_.parts[s].seconds);
       context_.report(0.0, "Looking for sources and targets");
       Assessment& verdict = out_.parts[s].assessment;
-      verdict = clock.run("assess", [&] { return assess(solids_[s], picks_[s], context_); });
+      verdict =
+          clock.run("assess", [&] { return assess_with_shape(solids_[s], picks_[s], context_); });
       is_divided_.push_back(!verdict.is_sweepable());
       if (is_divided_.back()) verdict = assess_or_divide(solids_[s], picks_[s], context_);
       is_sweepable = is_sweepable && verdict.is_sweepable();

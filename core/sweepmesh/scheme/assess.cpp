@@ -10,6 +10,7 @@
 #include "sweepmesh/scheme/reasons.h"
 #include "sweepmesh/scheme/strain.h"
 #include "sweepmesh/scheme/to_scheme.h"
+#include "sweepmesh/scheme/walled.h"
 
 namespace sweepmesh {
 
@@ -91,6 +92,7 @@ class Assessor {
       if (auto found = try_with(lenient, asked_)) return *found;
     if (auto refused = refuse_types()) return *refused;
     if (!chosen_.empty()) return refuse_picks(strict, lenient);
+    if (auto found = try_walled()) return *found;
     if (auto found = try_radial()) {
       if (picks_.types.empty()) return *found;
       return {{}, {type_reason(picks_.types, {})}};
@@ -113,7 +115,7 @@ class Assessor {
   /// Schemes that the search by cost leaves out.
   Assessment with_more(Assessment found, const std::vector<FixedCorner>& fixed) {
     if (chosen_.empty())
-      add_prismatic(found, fixed);
+      add_guessed(found, fixed);
     else
       prefer_picked(found, fixed);
     return found;
@@ -133,22 +135,24 @@ class Assessor {
       found.schemes.insert(found.schemes.begin(), picked->schemes.begin(), picked->schemes.end());
   }
 
-  /// Offers straight sweeps, too: in the order of cost where rounds and fillets are tangent to caps
-  /// at worst, else at the end, whatever their angles cost.
-  void add_prismatic(Assessment& found, const std::vector<FixedCorner>& fixed) {
+  /// Offers sweeps through walls and straight ones, too: in the order of cost where rounds and
+  /// fillets are tangent to caps at worst, else at the end, whatever their angles cost.
+  void add_guessed(Assessment& found, const std::vector<FixedCorner>& fixed) {
     std::vector<Scheme>& schemes = found.schemes;
-    for (const Scheme& s : new_prismatic(tangent_limits(), fixed, schemes))
+    for (const Scheme& s : new_ones(prismatic_divisions, tangent_limits(), fixed, schemes))
       schemes.insert(std::ranges::upper_bound(schemes, s.cost, {}, &Scheme::cost), s);
-    for (const Scheme& s : new_prismatic(lenient_limits(), fixed, schemes))
+    for (const Scheme& s : new_ones(prismatic_divisions, lenient_limits(), fixed, schemes))
       if (s.cost >= schemes.back().cost) schemes.push_back(s);
+    for (const Scheme& s : new_ones(walled_divisions, radial_limits(), fixed, schemes))
+      schemes.push_back(s);
   }
 
-  std::vector<Scheme> new_prismatic(const AngleLimits& limits,
-                                    const std::vector<FixedCorner>& fixed,
-                                    const std::vector<Scheme>& known) {
+  /// Guessed divisions whose caps are not among those of the known schemes.
+  std::vector<Scheme> new_ones(std::vector<Division> (*guess)(const Network&, Context&),
+                               const AngleLimits& limits, const std::vector<FixedCorner>& fixed,
+                               const std::vector<Scheme>& known) {
     const Network network = make_network(problem_, limits, fixed);
-    std::vector<Scheme> out =
-        ranked(model_, network, prismatic_divisions(network, context_), chosen_);
+    std::vector<Scheme> out = ranked(model_, network, guess(network, context_), chosen_);
     std::erase_if(out, [&](const Scheme& scheme) {
       const bool is_known = std::ranges::any_of(
           known, [&](const Scheme& other) { return has_same_caps(scheme, other); });
@@ -157,6 +161,14 @@ class Assessor {
       });
       return is_known || !is_asked;
     });
+    return out;
+  }
+
+  /// From one side of a wall to the other, where right angles between the faces of a side are all
+  /// that is against it.
+  std::optional<Assessment> try_walled() {
+    Assessment out{new_ones(walled_divisions, radial_limits(), {}, {}), {}};
+    if (!picks_.types.empty() || !out.is_sweepable()) return {};
     return out;
   }
 

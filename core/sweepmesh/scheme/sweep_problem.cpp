@@ -82,6 +82,7 @@ void measure_direction(const Model& model, const Coedge& coedge, ProblemEdge& ed
     const double fraction = (j + 0.5) / n;
     const double t = first + (coedge.reversed ? 1 - fraction : fraction) * (last - first);
     edge.tangents[j] = model.tangent(coedge.edge, t) * (coedge.reversed ? -1.0 : 1.0);
+    edge.points[j] = model.point(coedge.edge, t);
   }
 }
 

@@ -56,8 +56,9 @@ struct ProblemEdge {
   std::array<Bend, 2> face_bend = {Bend::none, Bend::none};
   bool is_closed = false;         ///< starts and ends at one vertex
   Point3 chord = Point3::Zero();  ///< from the start to the end of coedge[0]
-  /// Unit tangents along coedge[0], at the middles of equal parts of the curve's parameter range.
-  std::array<Point3, 24> tangents;
+  /// Unit tangents along coedge[0], at the middles of equal parts of the curve's parameter range,
+  /// and the points there.
+  std::array<Point3, 24> tangents, points;
 };
 
 /// Faces, coedges and edges of one solid in the order of the model's ids; a pure value.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "sweepmesh/scheme/levels.h"
@@ -33,19 +34,37 @@ bool is_straight(const ProblemEdge& edge) {
   return mean_tangent(edge).norm() > kStraight;
 }
 
-/// The straight edge of a bundle that gives the direction, or -1: none is straight, or two differ.
-int reference(const Network& n, const Choices& choices, const std::vector<int>& bundle) {
-  int out = -1;
+/// The straight edges of a bundle, empty where two of them differ in direction.
+std::vector<int> straight_edges(const Network& n, const Choices& choices,
+                                const std::vector<int>& bundle) {
+  std::vector<int> out;
   for (int e : bundle) {
     const ProblemEdge& edge = n.problem.edges[e];
     if (!is_straight(edge)) continue;
-    if (out < 0) out = e;
-    const ProblemEdge& first = n.problem.edges[out];
+    out.push_back(e);
+    const ProblemEdge& first = n.problem.edges[out.front()];
     const double cosine =
         rise(choices, edge) * rise(choices, first) * mean_tangent(edge).dot(mean_tangent(first));
-    if (cosine < kParallel) return -1;
+    if (cosine < kParallel) return {};
   }
   return out;
+}
+
+/// The longest way between two of an edge's points against a direction of the edge's own way.
+double way_back(const ProblemEdge& edge, const Point3& up) {
+  double longest = 0.0, highest = edge.points.front().dot(up);
+  for (const Point3& p : edge.points) {
+    highest = std::max(highest, p.dot(up));
+    longest = std::max(longest, highest - p.dot(up));
+  }
+  return longest;
+}
+
+/// The least distance of an edge from a line.
+double gap_between(const ProblemEdge& edge, const Point3& on_line, const Point3& along) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point3& p : edge.points) least = std::min(least, along.cross(p - on_line).norm());
+  return least;
 }
 
 OpposedWalls compare(const Network& n, const Choices& choices, int straight, int other) {
@@ -53,7 +72,12 @@ OpposedWalls compare(const Network& n, const Choices& choices, int straight, int
   const Point3 up = mean_tangent(a).normalized() * rise(choices, a) * rise(choices, b);
   double least_cosine = 1.0;
   for (const Point3& t : b.tangents) least_cosine = std::min(least_cosine, t.dot(up));
-  return {straight, other, std::acos(std::clamp(least_cosine, -1.0, 1.0))};
+  return {straight, other, std::acos(std::clamp(least_cosine, -1.0, 1.0)), way_back(b, up),
+          gap_between(b, a.points.front(), up)};
+}
+
+bool runs_back(const OpposedWalls& walls) {
+  return walls.angle > kMaxAngle && walls.way_back > kMostWayBack * walls.gap;
 }
 
 }  // namespace
@@ -71,15 +95,13 @@ std::optional<OpposedWalls> opposed_walls(const Network& network, const Choices&
     between[std::minmax(a, b)].push_back(static_cast<int>(e));
   }
   OpposedWalls worst;
-  for (const auto& [pair, bundle] : between) {
-    const int straight = reference(network, choices, bundle);
-    for (int other : bundle) {
-      if (straight < 0) break;
-      const OpposedWalls walls = compare(network, choices, straight, other);
-      if (walls.angle > worst.angle) worst = walls;
-    }
-  }
-  if (worst.angle <= kMaxAngle) return {};
+  for (const auto& [pair, bundle] : between)
+    for (const int straight : straight_edges(network, choices, bundle))
+      for (const int other : bundle) {
+        const OpposedWalls walls = compare(network, choices, straight, other);
+        if (runs_back(walls) && walls.angle > worst.angle) worst = walls;
+      }
+  if (worst.straight < 0) return {};
   return worst;
 }
 

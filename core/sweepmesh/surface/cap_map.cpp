@@ -7,6 +7,7 @@
 #include "sweepmesh/base/errors.h"
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
+#include "sweepmesh/surface/widened.h"
 #include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
@@ -23,6 +24,15 @@ std::vector<int> cells_below(double limit, const PlanarMesh& mesh,
   for (int c = 0; c < mesh.n_cells(); ++c)
     if (scaled_jacobian(points, mesh.cell(c), metric) <= limit) out.push_back(c);
   return out;
+}
+
+/// Cells with a side that is squeezed, and not of the boundary.
+std::vector<int> squeezed_cells(const PlanarMesh& mesh, const std::vector<Point2>& points,
+                                const MapOptions& options) {
+  if (options.squeezed <= 0.0) return {};
+  const SideLengths wished =
+      lengths_like(mesh, options.source_metric, points, options.target_metric);
+  return cells_narrower_than(options.squeezed, mesh, points, wished, options.target_metric);
 }
 
 /// Flags the nodes of the cells and of `rings` rings of cells around them.
@@ -64,6 +74,16 @@ bool is_better(const PlanarQuality& a, const PlanarQuality& b) {
   return a.n_inverted != b.n_inverted ? a.n_inverted < b.n_inverted : a.min > b.min;
 }
 
+/// Cells that are much narrower than on the source, wider.
+std::vector<Point2> evened(const PlanarMesh& source, const std::vector<Point2>& points,
+                           const MapOptions& options, const Context& context) {
+  const SideLengths wished =
+      lengths_like(source, options.source_metric, points, options.target_metric);
+  WidenOptions how;
+  how.squeezed = options.squeezed;
+  return widened(source, points, wished, how, options.target_metric, context);
+}
+
 class Improver {
  public:
   Improver(const PlanarMesh& mesh, const MapOptions& options, const Context& context)
@@ -71,6 +91,8 @@ class Improver {
 
   void run(PlanarMap& map) const {
     std::vector<int> poor = cells_below(options_.poor, mesh_, map.points, options_.target_metric);
+    const std::vector<int> squeezed = squeezed_cells(mesh_, map.points, options_);
+    poor.insert(poor.end(), squeezed.begin(), squeezed.end());
     if (poor.empty()) return;
     constexpr int steps_of_part = 20, steps_of_whole = 100;
     for (int rings = std::max(1, options_.rings);; rings *= 4) {
@@ -79,12 +101,22 @@ class Improver {
       auto points = relaxed(mesh_, map.points, is_free, is_whole ? steps_of_whole : steps_of_part,
                             options_, context_);
       const PlanarQuality q = quality(points, mesh_, options_.target_metric);
-      if (is_better(q, map.final)) map.points = std::move(points), map.final = q;
+      if (is_better(q, map.final) ||
+          (is_good_enough(q, map.final) && is_less_squeezed(points, squeezed.size())))
+        map.points = std::move(points), map.final = q;
       if (map.final.n_inverted == 0 || is_whole) return;
     }
   }
 
  private:
+  bool is_good_enough(const PlanarQuality& now, const PlanarQuality& before) const {
+    return now.n_inverted == 0 && now.min >= std::min(before.min, options_.poor);
+  }
+
+  bool is_less_squeezed(const std::vector<Point2>& points, std::size_t n_before) const {
+    return squeezed_cells(mesh_, points, options_).size() < n_before;
+  }
+
   const PlanarMesh& mesh_;
   const MapOptions& options_;
   const Context& context_;
@@ -127,6 +159,7 @@ PlanarMap map_planar(const PlanarMesh& source, const std::vector<Point2>& bounda
     constexpr int max_rounds = 3;
     map.points = with_worst_raised(source, map.points, options.poor, max_rounds,
                                    options.target_metric, context);
+    if (options.squeezed > 0.0) map.points = evened(source, map.points, options, context);
     map.final = quality(map.points, source, options.target_metric);
   }
   const auto inverted = cells_below(0.0, source, map.points, options.target_metric);

@@ -4,7 +4,8 @@
 //      weights;
 //   2. where cells come out inverted or poor, and around them, the regularised elliptic energy
 //      towards the shapes of the source's cells; the neighbourhood grows while one is inverted;
-//   3. cells that are still poor are raised at the cost of others (worst_first.h).
+//   3. cells that are still poor are raised at the cost of others (worst_first.h);
+//   4. cells that are much narrower than on the source are widened (widened.h).
 //
 // docs/cap_mapping.md tells why this replaces the harmonic maps of facets to circular domains.
 // Source: thesis section 3.3 (harmonic map); Garanzha et al. 2021 (foldover-free energy).
@@ -28,6 +29,9 @@ struct MapOptions {
   double poor = 0.5;
   int rings = 3;  ///< cells around a poor one that may move with it, >= 0; four times as many while
                   ///< that is not enough
+  /// Sides of cells shorter than this part of what they are on the source are lengthened where that
+  /// costs no angles (widened.h), 0..1; 0 leaves them.
+  double squeezed = 0.25;
 };
 
 struct PlanarMap {

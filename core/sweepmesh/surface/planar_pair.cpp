@@ -9,17 +9,20 @@
 #include "sweepmesh/surface/cap_map.h"
 #include "sweepmesh/surface/quad_cleanup.h"
 #include "sweepmesh/surface/regular_cells.h"
+#include "sweepmesh/surface/widened.h"
 #include "sweepmesh/surface/worst_first.h"
 
 namespace sweepmesh {
 namespace {
 
-/// A pair whose worse end is this good is taken without looking at the shape between.
-constexpr double good_enough = 0.55;
+/// A pair whose worse end is this good, in scaled Jacobians and in lengths, is taken without
+/// looking at the shape between.
+constexpr double good_enough = 0.55, even_enough = 0.8;
 /// One that is worse is a reason to spend more cells.
 constexpr double poor = 0.2;
 /// Cells below this are raised at the cost of others.
 constexpr double worth_raising = 0.7;
+constexpr std::size_t n_finalists = 2;
 constexpr int rounds_to_compare = 2, rounds_to_finish = 6;
 /// Gain in quality (least and half the mean) for which one end is smoothed apart from the other.
 constexpr double worth_drifting = 0.1;
@@ -103,6 +106,7 @@ class PairMesher {
   PairMesher(const PlanarLoops& first, const PlanarLoops& second, const PlanarMeshOptions& options,
              const Metric& second_metric, const Context& context)
       : first_(first), second_(flattened(second)), options_(options), context_(context) {
+    onto_first_.squeezed = onto_second_.squeezed = 0.0;  // the best one is widened in the end
     onto_first_.target_metric = options.metric;
     onto_second_.source_metric = options.metric;
     onto_second_.target_metric = second_metric;
@@ -113,7 +117,8 @@ class PairMesher {
   PlanarPair run(const PlanarLoops& second) {
     const auto direct = candidate_meshes(first_, options_, angles_, context_);
     for (const PlanarMesh& mesh : direct) offer([&] { return carried_on(mesh); });
-    if (is_best_at_least(good_enough)) return finished();
+    if (is_best_at_least(good_enough) && evenness_of(best_.front().pair) >= even_enough)
+      return finished(std::move(best_.front().pair));
     const PlanarLoops between = half_way(first_, second);
     if (is_domain(between)) {
       PlanarMeshOptions flat = options_;
@@ -126,29 +131,44 @@ class PairMesher {
     if (options_.kind != CellKind::triangle)
       for (const PlanarMesh& mesh : direct)
         if (!is_best_at_least(poor)) offer([&] { return carried_on(ringed(mesh)); });
-    if (!best_) throw *failure_;
-    return finished();
+    if (best_.empty()) throw *failure_;
+    return best_finished();
   }
 
  private:
   static double worse_end(const PlanarPair& p) {
     return std::min(p.first_quality.min, p.second_quality.min);
   }
-  static double score(const PlanarPair& p) {
-    return worse_end(p) + 0.25 * (p.first_quality.mean + p.second_quality.mean);
+  double score(const PlanarPair& p) const {
+    return worse_end(p) + 0.25 * (p.first_quality.mean + p.second_quality.mean) + evenness_of(p);
+  }
+
+  /// Of the worse end.
+  double evenness_of(const PlanarPair& p) const {
+    const auto at = [&](const std::vector<Point2>& points, const Metric& metric) {
+      PlanarMesh there = p.first;
+      there.points = points;
+      return evenness(there, points, lengths_of_regular(there, metric), metric);
+    };
+    return std::min(at(p.first.points, options_.metric), at(p.second, onto_second_.target_metric));
   }
 
   template <class Make>
   void offer(const Make& make) {
     try {
       PlanarPair pair = make();
-      if (!best_ || score(pair) > score(*best_)) best_ = std::move(pair);
+      const double its_score = score(pair);
+      best_.insert(std::ranges::find_if(best_, [&](const Rated& r) { return r.score < its_score; }),
+                   {its_score, std::move(pair)});
+      if (best_.size() > n_finalists) best_.pop_back();
     } catch (const InvalidMeshError& e) {
       if (!failure_) failure_ = e;
     }
   }
 
-  bool is_best_at_least(double value) const { return best_ && worse_end(*best_) >= value; }
+  bool is_best_at_least(double value) const {
+    return !best_.empty() && worse_end(best_.front().pair) >= value;
+  }
 
   PlanarMesh ringed(const PlanarMesh& mesh) const {
     const PlanarMesh more = smoothed(with_rings(mesh, first_, angles_), options_.metric, context_);
@@ -199,15 +219,34 @@ class PairMesher {
     return quality(points, cells, metric);
   }
 
-  PlanarPair finished() {
-    PlanarPair pair = std::move(*best_);
+  PlanarQuality finish(PlanarMesh mesh, std::vector<Point2>& points, const Metric& metric) const {
+    raise(mesh, points, rounds_to_finish, metric);
+    mesh.points = points;
+    points = widened(mesh, points, lengths_of_regular(mesh, metric), {}, metric, context_);
+    return quality(points, mesh, metric);
+  }
+
+  PlanarPair finished(PlanarPair pair) const {
     std::vector<Point2> points = pair.first.points;
-    pair.first_quality = raise(pair.first, points, rounds_to_finish, options_.metric);
+    pair.first_quality = finish(pair.first, points, options_.metric);
     pair.first.points = std::move(points);
-    pair.second_quality =
-        raise(pair.first, pair.second, rounds_to_finish, onto_second_.target_metric);
+    pair.second_quality = finish(pair.first, pair.second, onto_second_.target_metric);
     return pair;
   }
+
+  /// What raises the worst cells changes the order of those that are nearly as good as each other.
+  PlanarPair best_finished() {
+    for (Rated& r : best_) {
+      r.pair = finished(std::move(r.pair));
+      r.score = score(r.pair);
+    }
+    return std::move(std::ranges::max_element(best_, {}, &Rated::score)->pair);
+  }
+
+  struct Rated {
+    double score;
+    PlanarPair pair;
+  };
 
   const PlanarLoops& first_;
   std::vector<Point2> second_;
@@ -215,7 +254,7 @@ class PairMesher {
   const Context& context_;
   MapOptions onto_first_, onto_second_;
   BoundaryAngles angles_;
-  std::optional<PlanarPair> best_;
+  std::vector<Rated> best_;  ///< the best first
   std::optional<InvalidMeshError> failure_;
 };
 

@@ -9,8 +9,6 @@
 namespace sweepmesh {
 namespace {
 
-/// Lengths of the cells' sides: as long as the boundary's near by. Polygons of more than four sides
-/// are as large as the hexagon that is the boundary's edge wide.
 std::vector<double> local_sizes(const PlanarMesh& mesh, const Metric& metric) {
   std::vector<double> sum(mesh.n_boundary, 0.0);
   std::vector<int> count(mesh.n_boundary, 0);
@@ -56,9 +54,14 @@ void fit_to_area(std::vector<double>& size, const PlanarMesh& mesh, const Metric
 
 }  // namespace
 
-PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context) {
+std::vector<double> wished_lengths(const PlanarMesh& mesh, const Metric& metric) {
   std::vector<double> size = local_sizes(mesh, metric);
   fit_to_area(size, mesh, metric);
+  return size;
+}
+
+PlanarMesh smoothed(const PlanarMesh& mesh, const Metric& metric, const Context& context) {
+  const std::vector<double> size = wished_lengths(mesh, metric);
   std::vector<char> fixed(mesh.n_nodes(), 0);
   std::fill_n(fixed.begin(), mesh.n_boundary, 1);
   FoldoverOptions options;

@@ -3,56 +3,60 @@
 #include <algorithm>
 
 namespace sweepmesh {
+namespace {
 
-BaseMatrix join_rows(int n_cols, const std::vector<BaseMatrix>& parts, ThreadTeam& team) {
-  BaseMatrix all;
-  all.n_cols = n_cols;
-  std::vector<std::size_t> first_row(1, 0), first_entry(1, 0);
-  for (const BaseMatrix& part : parts) {
-    first_row.push_back(first_row.back() + part.n_rows());
-    first_entry.push_back(first_entry.back() + part.column.size());
-  }
-  all.offset.resize(first_row.back() + 1);
-  all.column.resize(first_entry.back());
-  all.value.resize(first_entry.back());
-  team.for_chunks(static_cast<long>(parts.size()), 1, [&](long p, long, long) {
-    const BaseMatrix& part = parts[p];
-    for (int row = 0; row < part.n_rows(); ++row)
-      all.offset[first_row[p] + row + 1] = static_cast<int>(first_entry[p]) + part.offset[row + 1];
-    std::copy(part.column.begin(), part.column.end(), all.column.begin() + first_entry[p]);
-    std::copy(part.value.begin(), part.value.end(), all.value.begin() + first_entry[p]);
+/// Shift of matrices whose rows are one part.
+constexpr int one_part = 31;
+
+void add_product_row(const BaseMatrix& a, const BaseMatrix& b, int row, RowSum& sum) {
+  a.for_row(row, [&](int middle, double v) {
+    b.for_row(middle, [&](int column, double w) { sum.add(column, v * w); });
   });
-  return all;
+}
+
+}  // namespace
+
+BaseMatrix zero_matrix(int n_rows, int n_cols) {
+  BaseMatrix zero;
+  zero.n_rows = n_rows;
+  zero.n_cols = n_cols;
+  zero.shift = one_part;
+  zero.parts.emplace_back().offset.assign(n_rows + 1, 0);
+  return zero;
 }
 
 BaseMatrix product(const BaseMatrix& a, const BaseMatrix& b, ThreadTeam& team) {
-  if (a.is_zero() || b.is_zero()) {
-    BaseMatrix zero;
-    zero.n_cols = b.n_cols;
-    zero.offset.assign(a.n_rows() + 1, 0);
-    return zero;
-  }
-  return build_rows(a.n_rows(), b.n_cols, team, [&](int row, RowSum& sum) {
-    a.for_row(row, [&](int middle, double v) {
-      b.for_row(middle, [&](int column, double w) { sum.add(column, v * w); });
-    });
+  if (a.is_zero() || b.is_zero()) return zero_matrix(a.n_rows, b.n_cols);
+  return build_rows(a.n_rows, b.n_cols, team,
+                    [&](int row, RowSum& sum) { add_product_row(a, b, row, sum); });
+}
+
+BaseMatrix square_product(const BaseMatrix& a, const BaseMatrix& b, ThreadTeam& team) {
+  if (a.is_zero() || b.is_zero()) return zero_matrix(a.n_rows, b.n_cols);
+  return build_rows(a.n_rows, b.n_cols, team, [&](int row, RowSum& sum) {
+    sum.add(row, 0.0);
+    add_product_row(a, b, row, sum);
   });
 }
 
 BaseMatrix transposed(const BaseMatrix& a) {
   BaseMatrix t;
-  t.n_cols = a.n_rows();
-  t.offset.assign(a.n_cols + 1, 0);
-  t.column.resize(a.column.size());
-  t.value.resize(a.column.size());
-  for (const int c : a.column) ++t.offset[c + 1];
-  for (int c = 0; c < a.n_cols; ++c) t.offset[c + 1] += t.offset[c];
-  std::vector<int> next(t.offset.begin(), t.offset.end() - 1);
-  for (int row = 0; row < a.n_rows(); ++row)
-    a.for_row(row, [&](int column, double v) {
+  t.n_rows = a.n_cols;
+  t.n_cols = a.n_rows;
+  t.shift = one_part;
+  BaseMatrix::Part& all = t.parts.emplace_back();
+  all.offset.assign(t.n_rows + 1, 0);
+  for (const BaseMatrix::Part& part : a.parts)
+    for (const int c : part.column) ++all.offset[c + 1];
+  for (int c = 0; c < t.n_rows; ++c) all.offset[c + 1] += all.offset[c];
+  all.column.resize(all.offset.back());
+  all.value.resize(all.offset.back());
+  std::vector<int> next(all.offset.begin(), all.offset.end() - 1);
+  for (int row = 0; row < a.n_rows; ++row)
+    a.for_row(row, [&](int column, float v) {
       const int slot = next[column]++;
-      t.column[slot] = row;
-      t.value[slot] = v;
+      all.column[slot] = row;
+      all.value[slot] = v;
     });
   return t;
 }

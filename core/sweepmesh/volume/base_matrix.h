@@ -1,33 +1,53 @@
 // Sparse matrices over the columns of a base mesh, made row by row on several threads.
 //
-// A row's entries stand in the order in which they were first added, so a matrix depends on what is
-// added to its rows, not on the threads that do it.
+// Rows stand in parts of equal numbers, each made and kept as a whole by one thread. A row's
+// entries stand in the order in which they were first added, so a matrix depends on what is added
+// to its rows, not on the threads that do it.
 #pragma once
 
 #include <vector>
 
 #include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/floats.h"
 
 namespace sweepmesh {
 
-/// Compressed rows. Entries are never zero.
+/// Entries are never zero. Single precision: what is made of matrices is a preconditioner, or
+/// multiplied in single precision.
 struct BaseMatrix {
-  int n_cols = 0;
-  std::vector<int> offset = {0};
-  std::vector<int> column;
-  std::vector<double> value;
+  struct Part {
+    std::vector<int> offset = {0};
+    Ints column;
+    Floats value;
+  };
+  struct Row {
+    const int* column;
+    const float* value;
+    int n;
+  };
+  int n_rows = 0, n_cols = 0;
+  int shift = 0;  ///< parts have 2^shift rows
+  std::vector<Part> parts;
 
-  int n_rows() const { return static_cast<int>(offset.size()) - 1; }
-  bool is_zero() const { return column.empty(); }
-
+  Row row(int r) const {
+    const Part& part = parts[r >> shift];
+    const int* offset = part.offset.data() + (r - (r >> shift << shift));
+    return {part.column.data() + offset[0], part.value.data() + offset[0], offset[1] - offset[0]};
+  }
+  bool is_zero() const {
+    for (const Part& part : parts)
+      if (!part.column.empty()) return false;
+    return true;
+  }
   /// Calls f(column, value) for the entries of a row.
   template <class F>
-  void for_row(int row, F&& f) const {
-    for (int e = offset[row]; e < offset[row + 1]; ++e) f(column[e], value[e]);
+  void for_row(int r, F&& f) const {
+    const Row e = row(r);
+    for (int i = 0; i < e.n; ++i) f(e.column[i], e.value[i]);
   }
 };
 
-/// Sums up the entries of one row at a time.
+/// Sums up the entries of one row at a time, in double precision, and keeps the rows of a part.
 class RowSum {
  public:
   void start(int n_cols) {
@@ -37,68 +57,77 @@ class RowSum {
     const int place = place_[column];
     if (place >= 0) {
       value_[place] += value;
-    } else {
-      place_[column] = n_;
-      append(column, value);
+      return;
     }
-  }
-  /// The first and only time that the row gets this column.
-  void append(int column, double value) {
-    if (n_ == static_cast<int>(column_.size())) grow();
-    column_[n_] = column;
+    place_[column] = n_;
+    if (n_ == static_cast<int>(value_.size())) value_.resize(2 * value_.size() + 64);
+    if (first_ + n_ == static_cast<int>(column_.size())) column_.resize(2 * column_.size() + 1024);
+    column_[first_ + n_] = column;
     value_[n_++] = value;
   }
-  /// Appends what is not zero to a matrix and forgets it.
-  void finish_row(BaseMatrix& matrix) {
-    const std::size_t first = matrix.column.size();
-    matrix.column.resize(first + n_);
-    matrix.value.resize(first + n_);
-    std::size_t end = first;
+  /// Ends a row: what is not zero of it is kept.
+  void finish_row() {
+    if (rounded_.size() < column_.size()) rounded_.resize(column_.size());
+    int end = first_;
     for (int i = 0; i < n_; ++i) {
-      place_[column_[i]] = -1;
-      matrix.column[end] = column_[i];
-      matrix.value[end] = value_[i];
-      end += value_[i] != 0.0 ? 1 : 0;
+      const int column = column_[first_ + i];
+      const float value = static_cast<float>(value_[i]);
+      place_[column] = -1;
+      column_[end] = column;
+      rounded_[end] = value;
+      end += value != 0.0f ? 1 : 0;
     }
-    matrix.column.resize(end);
-    matrix.value.resize(end);
-    matrix.offset.push_back(static_cast<int>(end));
+    offset_.push_back(end);
+    first_ = end;
     n_ = 0;
+  }
+  /// Moves the rows that were kept to a part.
+  void finish_part(BaseMatrix::Part& part) {
+    part.offset = offset_;
+    part.column.assign(column_.begin(), column_.begin() + first_);
+    part.value.assign(rounded_.begin(), rounded_.begin() + first_);
+    offset_.resize(1);
+    first_ = 0;
   }
 
  private:
-  void grow() {
-    column_.resize(2 * column_.size() + 64);
-    value_.resize(column_.size());
-  }
-
   std::vector<int> place_;  ///< per column of the matrix: index in the row, or -1
-  int n_ = 0;
-  std::vector<int> column_;
+  int n_ = 0;               ///< entries of the row
   std::vector<double> value_;
+  int first_ = 0;  ///< entries that are kept; the row's columns stand behind them
+  std::vector<int> column_, offset_ = {0};
+  std::vector<float> rounded_;
 };
-
-/// Joins parts, one below the other.
-BaseMatrix join_rows(int n_cols, const std::vector<BaseMatrix>& parts, ThreadTeam& team);
 
 /// The matrix whose rows f(row, RowSum&) adds up. Linear in what is added.
 template <class F>
 BaseMatrix build_rows(int n_rows, int n_cols, ThreadTeam& team, F&& f) {
-  constexpr long least = 1L << 8, most = 1L << 12;
-  const long grain = ThreadTeam::grain_of(n_rows, least, most);
-  std::vector<BaseMatrix> parts(ThreadTeam::n_chunks(n_rows, grain));
+  constexpr int least = 8, most = 12;
+  BaseMatrix matrix;
+  matrix.n_rows = n_rows;
+  matrix.n_cols = n_cols;
+  matrix.shift = least;
+  while (matrix.shift < most && n_rows >> matrix.shift >= 32) ++matrix.shift;
+  const long grain = 1L << matrix.shift;
+  matrix.parts.resize(ThreadTeam::n_chunks(n_rows, grain));
   team.for_chunks(n_rows, grain, [&](long begin, long end, long chunk) {
     thread_local RowSum sum;
     sum.start(n_cols);
     for (int row = static_cast<int>(begin); row < end; ++row) {
       f(row, sum);
-      sum.finish_row(parts[chunk]);
+      sum.finish_row();
     }
+    sum.finish_part(matrix.parts[chunk]);
   });
-  return join_rows(n_cols, parts, team);
+  return matrix;
 }
 
+BaseMatrix zero_matrix(int n_rows, int n_cols);
+
 BaseMatrix product(const BaseMatrix& a, const BaseMatrix& b, ThreadTeam& team);
+
+/// A product with as many rows as columns; the diagonal's entry is the first of every row.
+BaseMatrix square_product(const BaseMatrix& a, const BaseMatrix& b, ThreadTeam& team);
 
 /// Rows of the result are ascending.
 BaseMatrix transposed(const BaseMatrix& a);

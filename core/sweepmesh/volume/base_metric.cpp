@@ -70,17 +70,20 @@ void add_quad(const PolygonMatrix& m, const Point3* p, double factor) {
   const Four cosine = -(in[0] * out[0] + in[1] * out[1] + in[2] * out[2]);
   const auto angle = [&](int i) { return Direction{sine[i], cosine[i]}; };
   // Which it is for a square, rounding says: no branch that is foreseen half of the times.
-  const int tip = 1 - static_cast<int>((angle(0) + angle(2)).is_less_than(angle(1) + angle(3)));
-  constexpr int pair[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
-  for (int half = 0; half < 2; ++half) {  // the triangle of corner i and its neighbours
-    const int i = tip + 2 * half, last = (i + 3) % 4, next = (i + 1) % 4;
-    for (const int corner : {last, i, next}) m.corner_mass[corner] += factor * sine[i] / 6.0;
-    if (!(sine[i] > 0.0)) continue;
-    const double f = 0.5 * factor / sine[i];
-    m.pair_weight[pair[last][next]] += f * cosine[i];
-    m.pair_weight[pair[last][i]] += f * (length[i] - cosine[i]);
-    m.pair_weight[pair[i][next]] += f * (length[last] - cosine[i]);
-  }
+  const bool is_even = (angle(0) + angle(2)).is_less_than(angle(1) + angle(3));
+  const double even = is_even ? 1.0 : 0.0, odd = 1.0 - even;
+  const Four is_tip(even, odd, even, odd);  // of the triangle of a corner and its neighbours
+  const Four area = is_tip * sine, f = (sine > 0.0).select(0.5 * is_tip / sine, 0.0);
+  const Four mass = area + next_of(area) + last_of(area);
+  // Edge i faces the next corner but one in the triangle of corner i, this corner in that of the
+  // next.
+  const Four side = f * (last_of(length) - cosine) + next_of(f * (length - cosine));
+  const Four across = f * cosine;
+  for (int i = 0; i < 4; ++i) m.corner_mass[i] += factor / 6.0 * mass[i];
+  constexpr int edge[4] = {0, 3, 5, 2};
+  for (int i = 0; i < 4; ++i) m.pair_weight[edge[i]] += factor * side[i];
+  m.pair_weight[1] += factor * (across[1] + across[3]);
+  m.pair_weight[4] += factor * (across[0] + across[2]);
 }
 
 void add_polygon(const PolygonMatrix& m, const Point3* p, double factor) {
@@ -94,27 +97,44 @@ long grain_of(long n) {
   return ThreadTeam::grain_of(n, 1L << 5, 1L << 10);
 }
 
-void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
-  thread_local std::vector<Point3> p;
-  const PolygonMatrix m = {x.cell_size(c), &metric.pair_weight[metric.pair_offset[c]],
-                           &metric.corner_mass[x.cell_offset[c]]};
-  p.resize(m.n);
-  std::fill_n(m.pair_weight, m.n * (m.n - 1) / 2, 0.0);
-  std::fill_n(m.corner_mass, m.n, 0.0);
+/// Adds what the ends of a cell have in common with it, half each.
+void add_ends(const Extrusion& x, const Points& points, int c, Point3* p, const PolygonMatrix& m) {
+  const int* columns = x.cell_columns.data() + x.cell_offset[c];
   for (const int k : {x.cell_k_low[c], x.cell_k_high[c]}) {
-    for (int i = 0; i < m.n; ++i)
-      p[i] = points.row(x.node(x.cell_columns[x.cell_offset[c] + i], k));
-    add_polygon(m, p.data(), 0.5);
+    for (int i = 0; i < m.n; ++i) p[i] = points.row(x.node(columns[i], k));
+    add_polygon(m, p, 0.5);
   }
-  for (int i = 0; i < m.n; ++i)
-    for (int j = i + 1; j < m.n; ++j) m.weight(i, j) = std::max(0.0, m.weight(i, j));
+}
+
+void keep(const Extrusion& x, int c, const PolygonMatrix& m, BaseMetric& metric) {
+  float* weight = &metric.pair_weight[metric.pair_offset[c]];
+  float* mass = &metric.corner_mass[x.cell_offset[c]];
+  for (int i = 0; i < m.n * (m.n - 1) / 2; ++i)
+    weight[i] = static_cast<float>(std::max(0.0, m.pair_weight[i]));
+  for (int i = 0; i < m.n; ++i) mass[i] = static_cast<float>(m.corner_mass[i]);
+}
+
+void add_cell(const Extrusion& x, const Points& points, int c, BaseMetric& metric) {
+  const int n = x.cell_size(c);
+  if (n == 4) {
+    double weight[6] = {}, mass[4] = {};
+    Point3 p[4];
+    const PolygonMatrix m = {4, weight, mass};
+    add_ends(x, points, c, p, m);
+    return keep(x, c, m, metric);
+  }
+  std::vector<double> weight(n * (n - 1) / 2, 0.0), mass(n, 0.0);
+  std::vector<Point3> p(n);
+  const PolygonMatrix m = {n, weight.data(), mass.data()};
+  add_ends(x, points, c, p.data(), m);
+  keep(x, c, m, metric);
 }
 
 void add_cells(const Extrusion& x, const Points& points, BaseMetric& metric, ThreadTeam& team) {
-  metric.pair_offset.reserve(x.n_cells() + 1);
+  metric.pair_offset.assign(x.n_cells() + 1, 0);
   for (int c = 0; c < x.n_cells(); ++c) {
     const long n = x.cell_size(c);
-    metric.pair_offset.push_back(metric.pair_offset.back() + n * (n - 1) / 2);
+    metric.pair_offset[c + 1] = metric.pair_offset[c] + n * (n - 1) / 2;
   }
   metric.pair_weight.resize(metric.pair_offset.back());
   metric.corner_mass.resize(x.cell_columns.size());

@@ -23,10 +23,10 @@ struct BaseMetric {
   /// / 2 pairs in the order (0,1) (0,2) ... (1,2) ...
   std::vector<long> pair_offset = {0};
   /// Weight of every pair, >= 0: minus the entry of the cell's stiffness matrix.
-  Doubles pair_weight;
+  Floats pair_weight;
   /// Per corner, parallel to Extrusion::cell_columns: the part of the cell's area that is its
   /// share.
-  Doubles corner_mass;
+  Floats corner_mass;
   /// Level of the lowest node of all; height[k - k_first] > 0 is that of the layer k .. k + 1.
   int k_first = 0;
   std::vector<double> height;
@@ -38,8 +38,13 @@ struct BaseMetric {
 template <class F>
 void for_pairs(const Extrusion& x, const BaseMetric& metric, int cell, int i, F&& f) {
   const int* columns = x.cell_columns.data() + x.cell_offset[cell];
-  const double* weight = metric.pair_weight.data() + metric.pair_offset[cell];
+  const float* weight = metric.pair_weight.data() + metric.pair_offset[cell];
   const int n = x.cell_size(cell);
+  if (n == 4) {
+    constexpr int pair[4][3] = {{0, 1, 2}, {3, 4, 0}, {5, 1, 3}, {2, 4, 5}};
+    for (int j = 0; j < 3; ++j) f(columns[(i + 1 + j) & 3], weight[pair[i][j]]);
+    return;
+  }
   for (int j = 0; j < n; ++j) {
     if (j == i) continue;
     const int a = std::min(i, j), b = std::max(i, j);

@@ -1,6 +1,7 @@
 #include "sweepmesh/volume/cap_transition.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sweepmesh/volume/element_check.h"
 #include "sweepmesh/volume/element_index.h"
@@ -33,23 +34,48 @@ std::vector<int> free_blocks(const Extrusion& x, const std::vector<char>& fixed,
   return block_of;
 }
 
-/// High end, carried back to the low one, minus the low end; zero for columns without a block.
-Points differences(const Extrusion& x, const LayerMotion& motion, const Points& points,
-                   ThreadTeam& team) {
-  Points out(x.n_columns(), 3);
-  std::vector<AffineMap> back;
-  for (const MotionBlock& block : motion.blocks) back.push_back(block.up.back().inverse());
-  team.for_chunks(x.n_columns(), grain_of(x.n_columns()), [&](long begin, long end, long) {
-    for (int c = static_cast<int>(begin); c < end; ++c) {
-      out.row(c).setZero();
-      if (motion.column_offset[c] == motion.column_offset[c + 1]) continue;
-      const int b = motion.column_blocks[motion.column_offset[c]];
-      if (!motion.blocks[b].has_loops) continue;
-      out.row(c) = back[b](Point3(points.row(x.node(c, motion.blocks[b].k_high)))) -
-                   Point3(points.row(x.node(c, motion.blocks[b].k_low)));
-    }
+/// Per column: high end, carried back to the low one, minus the low end; zero without a block.
+class Differences {
+ public:
+  Differences(const Extrusion& x, const LayerMotion& motion, const Points& points)
+      : x_(x), motion_(motion), points_(points) {
+    for (const MotionBlock& block : motion.blocks) back_.push_back(block.up.back().inverse());
+  }
+
+  Point3 operator()(int c) const {
+    if (motion_.column_offset[c] == motion_.column_offset[c + 1]) return Point3::Zero();
+    const int b = motion_.column_blocks[motion_.column_offset[c]];
+    const MotionBlock& block = motion_.blocks[b];
+    if (!block.has_loops) return Point3::Zero();
+    return back_[b](Point3(points_.row(x_.node(c, block.k_high)))) -
+           Point3(points_.row(x_.node(c, block.k_low)));
+  }
+  Points all(ThreadTeam& team) const {
+    Points out(x_.n_columns(), 3);
+    team.for_chunks(x_.n_columns(), grain_of(x_.n_columns()), [&](long begin, long end, long) {
+      for (int c = static_cast<int>(begin); c < end; ++c) out.row(c) = (*this)(c);
+    });
+    return out;
+  }
+
+ private:
+  const Extrusion& x_;
+  const LayerMotion& motion_;
+  const Points& points_;
+  std::vector<AffineMap> back_;
+};
+
+/// The longest of the vectors f(0) .. f(n - 1).
+template <class F>
+double longest(int n, ThreadTeam& team, F&& f) {
+  const long grain = grain_of(n);
+  std::vector<double> parts(ThreadTeam::n_chunks(n, grain), 0.0);
+  team.for_chunks(n, grain, [&](long begin, long end, long chunk) {
+    double most = 0.0;
+    for (int c = static_cast<int>(begin); c < end; ++c) most = std::max(most, f(c).squaredNorm());
+    parts[chunk] = std::sqrt(most);
   });
-  return out;
+  return parts.empty() ? 0.0 : *std::max_element(parts.begin(), parts.end());
 }
 
 /// The base as three levels without mass: the middle one's system is the stiffness of the base.
@@ -69,7 +95,7 @@ struct BaseProblem {
     extrusion.cell_k_high.assign(x.n_cells(), 2);
     metric.pair_offset = m.pair_offset;
     metric.pair_weight = m.pair_weight;
-    metric.corner_mass.assign(m.corner_mass.size(), 0.0);
+    metric.corner_mass.assign(m.corner_mass.size(), 0.0f);
     metric.height.assign(2, 1.0);
   }
 };
@@ -85,23 +111,23 @@ void subtract_extension(const Extrusion& x, const BaseMetric& metric,
   if (unit > 0.0) {
     const BaseProblem base(x, metric, block_of);
     const CellsOfColumns cells(base.extrusion);
-    const LayeredLevel level =
-        make_layered_level(base.extrusion, cells, base.metric, base.fixed, team);
-    Floats right(level.system.size(), 0.0f);
+    const LayeredSystem system =
+        make_layered_system(base.extrusion, cells, base.metric, base.fixed, team);
+    Floats right(system.size(), 0.0f);
     for (int c = 0; c < x.n_columns(); ++c) {
-      if (level.system.low[c] > level.system.high[c]) continue;
-      float* force = right.data() + level.system.offset[c];
+      if (system.low[c] > system.high[c]) continue;
+      float* force = right.data() + system.offset[c];
       for (int i = cells.offset[c]; i < cells.offset[c + 1]; ++i)
         for_pairs(x, metric, cells.cell[i], cells.corner[i], [&](int other, double w) {
           if (block_of[other] < 0)
             for (int d = 0; d < 3; ++d)
-              force[d] += static_cast<float>(level.system.share[3] * w * rows(other, d) / unit);
+              force[d] += static_cast<float>(system.share[3] * w * rows(other, d) / unit);
         });
     }
-    solve(level, right, {}, team, context);
+    solve(system, right, {}, team, context);
     for (int c = 0; c < x.n_columns(); ++c)
-      for (long i = level.system.offset[c]; i < level.system.offset[c + 1]; ++i)
-        rows(c, i - level.system.offset[c]) -= unit * right[i];
+      for (long i = system.offset[c]; i < system.offset[c + 1]; ++i)
+        rows(c, i - system.offset[c]) -= unit * right[i];
   }
   for (int c = 0; c < x.n_columns(); ++c)
     if (block_of[c] < 0) rows.row(c).setZero();
@@ -203,12 +229,14 @@ bool choose_transitions(const Extrusion& extrusion, const std::vector<char>& fix
                         BaseMetric& metric, const LayerMotion& motion,
                         const TransitionOptions& options, Points& points, ThreadTeam& team,
                         const Context& context) {
+  const Differences differences(extrusion, motion, points);
+  if (longest(extrusion.n_columns(), team, differences) <= options.negligible) return false;
   std::vector<int> block_of = free_blocks(extrusion, fixed, motion, team);
-  Points mismatch = differences(extrusion, motion, points, team);
-  if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;
+  Points mismatch = differences.all(team);
   complete_metric(extrusion, points, metric, team);
   subtract_extension(extrusion, metric, block_of, mismatch, team, context);
-  if (mismatch.rowwise().norm().maxCoeff() <= options.negligible) return false;
+  const auto row = [&](int c) { return mismatch.row(c); };
+  if (longest(extrusion.n_columns(), team, row) <= options.negligible) return false;
 
   Transitions transitions(extrusion, motion, metric, std::move(block_of), std::move(mismatch));
   std::vector<BlockQuality> best = measure(extrusion, motion, points, team);

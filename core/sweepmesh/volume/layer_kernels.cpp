@@ -31,8 +31,8 @@ Four& four(float* p) {
 
 /// Writes put(place, sum over j of a[j] x[j]) for all n places, eight at a time. The last places
 /// are done twice rather than one by one.
-template <class Put>
-[[gnu::always_inline]] inline void sum_streams(const float* const* x, const float* a, int m, long n,
+template <class Streams, class Put>
+[[gnu::always_inline]] inline void sum_streams(const Streams& x, const float* a, int m, long n,
                                                Put&& put) {
   if (n < 8) {
     for (long i = 0; i < n; ++i) {
@@ -240,6 +240,11 @@ SWEEPMESH_WIDE void subtract_weighted_sum(float* y, const float* b, const float*
   sum_streams(x, a, m, n, Subtracted{y, b, s});
 }
 
+SWEEPMESH_WIDE void subtract_weighted_sum(float* y, const float* b, const Neighbours& x,
+                                          const float* a, int m, const float* s, long n) {
+  sum_streams(Neighbours(x), a, m, n, Subtracted{y, b, s});
+}
+
 SWEEPMESH_WIDE void add_scaled(float* __restrict y, const float* __restrict x, float a, long n) {
   for (long i = 0; i < n; ++i) y[i] += a * x[i];
 }
@@ -253,12 +258,12 @@ SWEEPMESH_WIDE double dot(const float* x, const float* y, long n) {
   return inner_product(x, y, n);
 }
 
-SWEEPMESH_WIDE double multiply(const ColumnProduct& column, const float* b, float* y, long n) {
+SWEEPMESH_WIDE void multiply(const ColumnProduct& column, const float* b, float* y, long n) {
   if (b)
-    sum_streams(column.streams, column.weight, column.n_streams, n, ProductRest{{column, y}, b});
+    sum_streams(column.neighbours, column.weight, column.n_neighbours, n,
+                ProductRest{{column, y}, b});
   else
-    sum_streams(column.streams, column.weight, column.n_streams, n, Product{column, y});
-  return inner_product(column.x, y, n);
+    sum_streams(column.neighbours, column.weight, column.n_neighbours, n, Product{column, y});
 }
 
 SWEEPMESH_WIDE void solve_columns(const ColumnSystems& systems, int n_columns, float alpha,

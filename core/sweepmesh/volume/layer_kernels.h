@@ -16,12 +16,22 @@ void weighted_sum(float* y, const float* const* x, const float* a, int m, const 
 void subtract_weighted_sum(float* y, const float* b, const float* const* x, const float* a, int m,
                            const float* s, long n);
 
+/// Columns that are found from one of them, by steps of three floats.
+struct Neighbours {
+  const float* own;
+  const int* step;
+
+  const float* operator[](int j) const { return own + 3L * step[j]; }
+};
+void subtract_weighted_sum(float* y, const float* b, const Neighbours& x, const float* a, int m,
+                           const float* s, long n);
+
 /// One column's share of A x. Arrays over levels hold everything three times.
 struct ColumnProduct {
-  const float* x;               ///< the column's own; may be read three floats beyond its ends
-  const float* const* streams;  ///< all that its base row has, itself too; `n_streams` of them
+  const float* x;         ///< the column's own; may be read three floats beyond its ends
+  Neighbours neighbours;  ///< all that its base row has, itself too; `n_neighbours` of them
   const float* weight;
-  int n_streams;
+  int n_neighbours;
   const float* share;
   const float *up, *down;                ///< springs to the next node of the column; 0 at its ends
   const float *up_beyond, *down_beyond;  ///< springs from its ends to what is fixed; 0 elsewhere
@@ -29,8 +39,8 @@ struct ColumnProduct {
   float below, above;                    ///< masses of those beyond
 };
 
-/// y = A x, or b - A x where there is a b; returns x . y. `n` floats; y is no other vector.
-double multiply(const ColumnProduct& column, const float* b, float* y, long n);
+/// y = A x, or b - A x where there is a b. `n` floats; y is no other vector.
+void multiply(const ColumnProduct& column, const float* b, float* y, long n);
 
 /// Columns that are best solved at a time: one alone would wait for its own last result at every
 /// step.

@@ -24,28 +24,87 @@ Point3 mean_of(const std::vector<Point3>& points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// Fits affine maps of one set of points.
+class AffineFit {
+ public:
+  explicit AffineFit(std::vector<Point3> from) : from_(std::move(from)) {
+    if (from_.size() < 3) return;
+    center_ = mean_of(from_);
+    Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+    for (Point3& p : from_) {
+      p -= center_;
+      m += p * p.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(m);  // ascending variances
+    axes_ = axes.eigenvectors();
+    variance_ = axes.eigenvalues();
+    // The frame is right-handed, so that the image of the normal lies on the proper side.
+    side_ = axes_.determinant() > 0.0 ? 1.0 : -1.0;
+    is_spread_ = variance_[1] > flat_variance * variance_[2];
+  }
+
+  /// Map that carries the points best to to(0), to(1) ...; false if there is none.
+  template <class To>
+  bool find(To&& to, AffineMap& map) const {
+    if (!is_spread_) return false;
+    Point3 d = Point3::Zero();
+    for (std::size_t i = 0; i < from_.size(); ++i) d += to(i);
+    d /= static_cast<double>(from_.size());
+    Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < from_.size(); ++i) f += (to(i) - d) * from_[i].transpose();
+    Eigen::Matrix3d image;
+    for (int i = 1; i < 3; ++i) image.col(i) = f * axes_.col(i) / variance_[i];
+    const Point3 normal = side_ * Point3(image.col(1)).cross(Point3(image.col(2)));
+    if (!(normal.norm() > 0.0)) return false;
+    const Point3 wanted = normal / std::sqrt(normal.norm());
+    // Functional H: one more pair of vectors, as heavy as the narrower direction of the plane.
+    image.col(0) = (f * axes_.col(0) + variance_[1] * wanted) / (variance_[0] + variance_[1]);
+    map.matrix = image * axes_.transpose();
+    map.shift = d - map.matrix * center_;
+    return std::abs(map.matrix.determinant()) > 0.0;
+  }
+
+ private:
+  std::vector<Point3> from_;  ///< relative to their center
+  Point3 center_ = Point3::Zero(), variance_ = Point3::Zero();
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
+  double side_ = 1.0;
+  bool is_spread_ = false;  ///< not on a line
+};
+
 /// Per part of a slab: maps from its low level to each of its layers; empty where no fit exists.
 using SlabMotion = std::vector<std::vector<AffineMap>>;
 
 std::vector<AffineMap> fit_layers(const Extrusion& x, const Points& points, const Slab& slab,
-                                  const std::vector<int>& loop) {
-  std::vector<Point3> from(loop.size()), to(loop.size());
-  std::vector<AffineMap> motion(1);
-  for (std::size_t i = 0; i < loop.size(); ++i) from[i] = points.row(x.node(loop[i], slab.k_low));
-  for (int k = slab.k_low + 1; k <= slab.k_high; ++k) {
-    for (std::size_t i = 0; i < loop.size(); ++i) to[i] = points.row(x.node(loop[i], k));
-    if (!fit_affine(from, to, motion.emplace_back())) return {};
-  }
+                                  const std::vector<int>& loop, ThreadTeam& team) {
+  constexpr long points_per_chunk = 1L << 10;
+  std::vector<Point3> from;
+  for (const int c : loop) from.push_back(points.row(x.node(c, slab.k_low)));
+  const AffineFit fit(std::move(from));
+  const int n_layers = slab.k_high - slab.k_low;
+  std::vector<AffineMap> motion(n_layers + 1);
+  std::vector<char> is_found(n_layers);
+  const long n_points = static_cast<long>(loop.size());
+  const long grain = std::max(1L, points_per_chunk / (n_points + 1));
+  team.for_chunks(n_layers, grain, [&](long begin, long end, long) {
+    for (int k = static_cast<int>(begin); k < end; ++k) {
+      const auto to = [&](std::size_t i) -> Point3 {
+        return points.row(x.node(loop[i], slab.k_low + k + 1));
+      };
+      is_found[k] = fit.find(to, motion[k + 1]);
+    }
+  });
+  if (std::find(is_found.begin(), is_found.end(), 0) != is_found.end()) return {};
   return motion;
 }
 
 std::vector<SlabMotion> fit_slabs(const Extrusion& x, const Points& points,
-                                  const std::vector<Slab>& slabs) {
+                                  const std::vector<Slab>& slabs, ThreadTeam& team) {
   std::vector<SlabMotion> motions;
   for (const Slab& slab : slabs) {
     SlabMotion& motion = motions.emplace_back();
     for (const std::vector<int>& loop : slab.loops)
-      motion.push_back(fit_layers(x, points, slab, loop));
+      motion.push_back(fit_layers(x, points, slab, loop, team));
   }
   return motions;
 }
@@ -135,29 +194,9 @@ void check_ends(const Extrusion& x, const std::vector<char>& fixed, ThreadTeam& 
 }  // namespace
 
 bool fit_affine(const std::vector<Point3>& from, const std::vector<Point3>& to, AffineMap& map) {
-  if (from.size() < 3) return false;
-  const Point3 c = mean_of(from), d = mean_of(to);
-  Eigen::Matrix3d m = Eigen::Matrix3d::Zero(), f = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    m += (from[i] - c) * (from[i] - c).transpose();
-    f += (to[i] - d) * (from[i] - c).transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(m);  // ascending variances
-  const Point3 variance = axes.eigenvalues();
-  if (!(variance[1] > flat_variance * variance[2])) return false;
-  Eigen::Matrix3d image;
-  for (int i = 1; i < 3; ++i) image.col(i) = f * axes.eigenvectors().col(i) / variance[i];
-  // The frame is right-handed, so that the image of the normal lies on the proper side.
-  const Eigen::Matrix3d& e = axes.eigenvectors();
-  const double side = e.determinant() > 0.0 ? 1.0 : -1.0;
-  const Point3 normal = side * Point3(image.col(1)).cross(Point3(image.col(2)));
-  if (!(normal.norm() > 0.0)) return false;
-  const Point3 wanted = normal / std::sqrt(normal.norm());
-  // Functional H: one more pair of vectors, as heavy as the narrower direction of the plane.
-  image.col(0) = (f * e.col(0) + variance[1] * wanted) / (variance[0] + variance[1]);
-  map.matrix = image * e.transpose();
-  map.shift = d - map.matrix * c;
-  return std::abs(map.matrix.determinant()) > 0.0;
+  const AffineFit fit(from);
+  const auto at = [&](std::size_t i) -> const Point3& { return to[i]; };
+  return fit.find(at, map);
 }
 
 LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char>& fixed,
@@ -170,13 +209,14 @@ LayerMotion make_layer_motion(const Extrusion& extrusion, const std::vector<char
   motion.cell_block = std::move(runs.of_cell);
   motion.column_offset = std::move(runs.column_offset);
   motion.column_blocks = std::move(runs.column_blocks);
-  const std::vector<SlabMotion> motions = fit_slabs(extrusion, points, slabs);
+  const std::vector<SlabMotion> motions = fit_slabs(extrusion, points, slabs, team);
   std::vector<std::vector<AffineMap>> maps(motion.blocks.size());
   std::vector<char> is_chained(motion.blocks.size(), 0);
-  for (int c = 0; c < extrusion.n_cells(); ++c) {
+  for (std::size_t c = 0, n_left = maps.size(); n_left > 0; ++c) {
     const int b = motion.cell_block[c];
     if (is_chained[b]) continue;
     is_chained[b] = 1;
+    --n_left;
     const int column = extrusion.cell_columns[extrusion.cell_offset[c]];
     maps[b] = chain(slabs, motions, motion.blocks[b], column);
   }

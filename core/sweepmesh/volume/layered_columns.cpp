@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sweepmesh/volume/layer_kernels.h"
 
@@ -43,11 +44,10 @@ struct LayeredColumns::Scratch {
     right[n * length] = 0.0f;
   }
   /// The neighbours' values from level `first` on.
-  const float* const* gather(const LayeredSystem& s, const BaseRows& rows, int begin, int end,
-                             const float* x, int first) {
-    if (static_cast<int>(streams.size()) < end - begin) streams.resize(end - begin);
-    const float** out = streams.data();
-    for (int e = begin; e < end; ++e) *out++ = s.at(x, rows.neighbour[e], first);
+  const float* const* gather(const LayeredSystem& s, const BaseMatrix::Row& row, const float* x,
+                             int first) {
+    if (static_cast<int>(streams.size()) < row.n) streams.resize(row.n);
+    for (int e = 0; e < row.n; ++e) streams[e] = s.at(x, row.column[e], first);
     return streams.data();
   }
 };
@@ -56,7 +56,9 @@ LayeredColumns::LayeredColumns(const LayeredSystem& system, ThreadTeam& team)
     : s_(system), team_(team) {
   set_springs();
   make_chunks();
+  find_reach();
   find_whole();
+  find_steps();
   factor();
   find_radius();
 }
@@ -76,12 +78,27 @@ void LayeredColumns::set_springs() {
 }
 
 void LayeredColumns::make_chunks() {
-  constexpr long least = 1L << 12, most = 1L << 16;  // floats
+  constexpr long least = 1L << 12, most = 1L << 13;  // floats: several stages' stay in the cache
   const long grain = ThreadTeam::grain_of(size(), least, most);
   chunk_.push_back(0);
   for (int c = 0; c < s_.n_columns(); ++c)
     if (s_.offset[c + 1] - s_.offset[chunk_.back()] >= grain) chunk_.push_back(c + 1);
   if (chunk_.back() != s_.n_columns()) chunk_.push_back(s_.n_columns());
+}
+
+int LayeredColumns::chunks_before(int column) const {
+  return static_cast<int>(std::lower_bound(chunk_.begin(), chunk_.end(), column) - chunk_.begin());
+}
+
+void LayeredColumns::find_reach() {
+  reach_.resize(n_chunks());
+  team_.for_chunks(n_chunks(), 1, [&](long chunk, long, long) {
+    int end = chunk_[chunk + 1];
+    for (const BaseRows& rows : s_.rows)
+      for (int c = chunk_[chunk]; c < chunk_[chunk + 1]; ++c)
+        rows.matrix.for_row(c, [&](int b, float) { end = std::max(end, b + 1); });
+    reach_[chunk] = chunks_before(end);
+  });
 }
 
 void LayeredColumns::find_whole() {
@@ -90,7 +107,25 @@ void LayeredColumns::find_whole() {
     for (int t = 0; t < s_.n_bands(); ++t)
       if (s_.band_begin[t] == s_.low[c] && s_.band_begin[t + 1] == s_.high[c] + 1)
         whole_band_[c] = t;
-    return 0.0;
+  });
+}
+
+void LayeredColumns::find_steps() {
+  const int n = s_.n_columns();
+  row_begin_.assign(n + 1, 0);
+  for_columns([&](int c) {
+    if (is_whole(c)) row_begin_[c + 1] = s_.rows[whole_band_[c]].matrix.row(c).n;
+  });
+  std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
+  step_.resize(row_begin_.back());
+  weight_.resize(row_begin_.back());
+  for_columns([&](int c) {
+    if (!is_whole(c)) return;
+    int e = row_begin_[c];
+    s_.rows[whole_band_[c]].matrix.for_row(c, [&](int b, float w) {
+      step_[e] = static_cast<int>((s_.start[b] - s_.start[c]) / 3);
+      weight_[e++] = w;
+    });
   });
 }
 
@@ -119,7 +154,6 @@ void LayeredColumns::factor() {
       pivot = diagonal[i] > 0.0 && d > 0.0 ? 1.0 / d : 0.0;
       pivot_[s_.offset[c] / 3 + i] = static_cast<float>(pivot);
     }
-    return 0.0;
   });
 }
 
@@ -130,26 +164,24 @@ void LayeredColumns::find_radius() {
       for (int c = chunk_[chunk]; c < chunk_[chunk + 1]; ++c) {
         if (rows.diagonal[c] <= 0.0f) continue;
         double sum = 0.0;
-        for (int e = rows.offset[c]; e < rows.offset[c + 1]; ++e) sum += std::abs(rows.weight[e]);
+        rows.matrix.for_row(c, [&](int, float w) { sum += std::abs(w); });
         radius[chunk] = std::max(radius[chunk], sum / rows.diagonal[c]);
       }
   });
   radius_ = *std::max_element(radius.begin(), radius.end());
 }
 
-double LayeredColumns::multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
-                                      float* y) const {
-  const int t = whole_band_[column], low = s_.low[column], begin = s_.rows[t].offset[column];
-  const BaseRows& rows = s_.rows[t];
-  const auto mass = [&](int v, const std::vector<float> LayerClass::*which) {
+void LayeredColumns::multiply_whole(const float* x, int column, const float* b, float* y) const {
+  const int t = whole_band_[column], low = s_.low[column];
+  const auto mass = [&](int v, const Floats LayerClass::*which) {
     if (v < 0 || (s_.layers[v].*which).empty()) return 0.0f;
     return (s_.layers[v].*which)[column];
   };
   kernels::ColumnProduct c;
   c.x = s_.at(x, column, low);
-  c.n_streams = rows.offset[column + 1] - begin;
-  c.streams = scratch.gather(s_, rows, begin, begin + c.n_streams, x, low);
-  c.weight = rows.weight.data() + begin;
+  c.neighbours = neighbours(x, column);
+  c.n_neighbours = n_neighbours(column);
+  c.weight = weight_.data() + row_begin_[column];
   c.share = s_.share.data() + 3L * low;
   c.up = up_.data() + 3L * low;
   c.down = down_.data() + 3L * low;
@@ -160,16 +192,16 @@ double LayeredColumns::multiply_whole(const float* x, int column, const float* b
   c.across = mass(2 * t, &LayerClass::across);
   c.below = mass(2 * t - 1, &LayerClass::upper);
   c.above = mass(2 * t + 1, &LayerClass::lower);
-  return kernels::multiply(c, b, y, length(column));
+  kernels::multiply(c, b, y, length(column));
 }
 
-double LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, float* y) const {
+void LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, float* y) const {
   const int low = s_.low[column], high = s_.high[column];
   std::fill_n(y, length(column), 0.0f);
   for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
-    const int e = rows.offset[column], n = rows.offset[column + 1] - e;
-    const float* const* streams = scratch.gather(s_, rows, e, e + n, x, first);
-    kernels::weighted_sum(y + 3L * (first - low), streams, rows.weight.data() + e, n,
+    const BaseMatrix::Row row = rows.matrix.row(column);
+    const float* const* streams = scratch.gather(s_, row, x, first);
+    kernels::weighted_sum(y + 3L * (first - low), streams, row.value, row.n,
                           s_.share.data() + 3L * first, 3L * (last - first));
   });
   const float* own = s_.at(x, column, low);
@@ -185,51 +217,67 @@ double LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch
       add(k + 1, k, -spring_[k] * l.across[column]);
     }
   });
-  return kernels::dot(own, y, length(column));
 }
 
-double LayeredColumns::multiply(const Floats& x, Floats& y) const {
-  return for_chunks([&](int begin, int end) {
-    thread_local Scratch scratch;
-    double sum = 0.0;
-    for (int c = begin; c < end; ++c) {
-      if (length(c) == 0) continue;
-      float* out = y.data() + s_.offset[c];
-      sum += is_whole(c) ? multiply_whole(x.data(), c, nullptr, scratch, out)
-                         : multiply_any(x.data(), c, scratch, out);
-    }
-    return sum;
+double LayeredColumns::multiply(int chunk, const Floats& x, Floats& y) const {
+  thread_local Scratch scratch;
+  for_columns(chunk, [&](int c) {
+    float* out = y.data() + s_.offset[c];
+    is_whole(c) ? multiply_whole(x.data(), c, nullptr, out)
+                : multiply_any(x.data(), c, scratch, out);
   });
+  return dot(chunk, x, y);
 }
 
-void LayeredColumns::residual(const Floats& b, const Floats& x, Floats& r) const {
-  for_chunks([&](int begin, int end) {
+double LayeredColumns::dot(int chunk, const Floats& x, const Floats& y) const {
+  constexpr long few = 1L << 10;  // are summed up in single precision
+  double sum = 0.0;
+  const long end = s_.offset[chunk_[chunk + 1]];
+  for (long i = s_.offset[chunk_[chunk]]; i < end; i += few)
+    sum += kernels::dot(x.data() + i, y.data() + i, std::min(few, end - i));
+  return sum;
+}
+
+void LayeredColumns::add_stage(std::function<void(int)> work,
+                               std::vector<ChunkStage>& stages) const {
+  stages.push_back({n_chunks(), &reach_, std::move(work)});
+}
+
+void LayeredColumns::add_residual(const Floats& b, const Floats& x, Floats& r,
+                                  std::vector<ChunkStage>& stages) const {
+  const auto work = [this, &b, &x, &r](int chunk) {
     thread_local Scratch scratch;
-    for (int c = begin; c < end; ++c) {
-      if (length(c) == 0) continue;
+    for_columns(chunk, [&](int c) {
       const float* right = b.data() + s_.offset[c];
       float* out = r.data() + s_.offset[c];
       if (is_whole(c)) {
-        multiply_whole(x.data(), c, right, scratch, out);
+        multiply_whole(x.data(), c, right, out);
       } else {
         multiply_any(x.data(), c, scratch, out);
         kernels::combine(out, right, -1.0f, 1.0f, length(c));
       }
-    }
-    return 0.0;
-  });
+    });
+  };
+  add_stage(work, stages);
 }
 
 void LayeredColumns::right_of(const float* b, const float* y, int column, Scratch& scratch,
                               float* out) const {
-  if (!y || !is_whole(column)) std::copy_n(b, length(column), out);
-  if (!y) return;
+  if (is_whole(column)) {
+    kernels::Neighbours others = neighbours(y, column);
+    ++others.step;  // but the diagonal
+    return kernels::subtract_weighted_sum(out, b, others, weight_.data() + row_begin_[column] + 1,
+                                          n_neighbours(column) - 1,
+                                          s_.share.data() + 3L * s_.low[column], length(column));
+  }
+  std::copy_n(b, length(column), out);
   for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
-    const int begin = rows.offset[column] + 1, end = rows.offset[column + 1];  // but the diagonal
-    const float* const* streams = scratch.gather(s_, rows, begin, end, y, first);
+    const BaseMatrix::Row all = rows.matrix.row(column),
+                          row = {all.column + 1, all.value + 1, all.n - 1};  // but the diagonal
+    const float* const* streams = scratch.gather(s_, row, y, first);
     const long from = 3L * (first - s_.low[column]);
-    kernels::subtract_weighted_sum(out + from, b + from, streams, rows.weight.data() + begin,
-                                   end - begin, s_.share.data() + 3L * first, 3L * (last - first));
+    kernels::subtract_weighted_sum(out + from, b + from, streams, row.value, row.n,
+                                   s_.share.data() + 3L * first, 3L * (last - first));
   });
 }
 
@@ -254,12 +302,12 @@ void LayeredColumns::step_columns(const Floats& b, const Floats* y, const Mix& m
   scratch.fit(each);
   bool are_whole = true;
   for (int i = 0; i < n; ++i) {
-    right_of(b.data() + at + i * each, y ? y->data() : nullptr, first + i, scratch,
-             scratch.right + i * each);
     are_whole = are_whole && is_whole(first + i);
+    if (y)
+      right_of(b.data() + at + i * each, y->data(), first + i, scratch, scratch.right + i * each);
   }
-  kernels::ColumnSystems systems = {scratch.right, pivot_.data() + at / 3, nullptr, 0, one,
-                                    each / 3};
+  kernels::ColumnSystems systems = {
+      y ? scratch.right : b.data() + at, pivot_.data() + at / 3, nullptr, 0, one, each / 3};
   if (are_whole && each > 3) {
     systems.spring = spring_.data() + s_.low[first];
     systems.across = s_.layers[2 * whole_band_[first]].across.data() + first;
@@ -272,21 +320,15 @@ void LayeredColumns::step_columns(const Floats& b, const Floats* y, const Mix& m
                          result.data() + at, scratch.work);
 }
 
-double LayeredColumns::step(const Floats& b, const Floats* y, const Mix& mix, Floats& result,
-                            bool needs_dot) const {
-  return for_chunks([&](int begin, int end) {
-    thread_local Scratch scratch;
-    double sum = 0.0;
-    for (int c = begin, n = 1; c < end; c += n) {
-      n = c + kernels::n_abreast <= end && are_alike(c, kernels::n_abreast) ? kernels::n_abreast
-                                                                            : 1;
-      if (length(c) == 0) continue;
-      step_columns(b, y, mix, c, n, scratch, result);
-      const long at = s_.offset[c];
-      if (needs_dot) sum += kernels::dot(b.data() + at, result.data() + at, n * length(c));
-    }
-    return sum;
-  });
+void LayeredColumns::step(int chunk, const Floats& b, const Floats* y, const Mix& mix,
+                          Floats& result) const {
+  thread_local Scratch scratch;
+  const int end = chunk_[chunk + 1];
+  for (int c = chunk_[chunk], n = 1; c < end; c += n) {
+    n = c + kernels::n_abreast <= end && are_alike(c, kernels::n_abreast) ? kernels::n_abreast : 1;
+    if (length(c) == 0) continue;
+    step_columns(b, y, mix, c, n, scratch, result);
+  }
 }
 
 LayeredColumns::Chebyshev LayeredColumns::polynomial() const {
@@ -298,16 +340,26 @@ LayeredColumns::Chebyshev LayeredColumns::polynomial() const {
           static_cast<float>(2.0 * next / delta)};
 }
 
-void LayeredColumns::smooth_from_zero(const Floats& b, Floats& x, Floats& work) const {
+void LayeredColumns::add_smoother_from_zero(const Floats& b, Floats& x, Floats& work,
+                                            std::vector<ChunkStage>& stages) const {
   const Chebyshev p = polynomial();
-  step(b, nullptr, {0.0f, p.first, 0.0f}, work, false);
-  step(b, &work, {1.0f + p.again - p.second, p.second, 0.0f}, x, false);
+  const Mix first = {0.0f, p.first, 0.0f}, second = {1.0f + p.again - p.second, p.second, 0.0f};
+  add_stage([=, this, &b, &work](int c) { step(c, b, nullptr, first, work); }, stages);
+  add_stage([=, this, &b, &work, &x](int c) { step(c, b, &work, second, x); }, stages);
 }
 
-double LayeredColumns::smooth(const Floats& b, Floats& x, Floats& work) const {
+void LayeredColumns::add_smoother(const Floats& b, Floats& x, Floats& work, double* dots,
+                                  std::vector<ChunkStage>& stages) const {
   const Chebyshev p = polynomial();
-  step(b, &x, {1.0f - p.first, p.first, 0.0f}, work, false);
-  return step(b, &work, {1.0f + p.again - p.second, p.second, -p.again}, x, true);
+  const Mix first = {1.0f - p.first, p.first, 0.0f},
+            second = {1.0f + p.again - p.second, p.second, -p.again};
+  add_stage([=, this, &b, &work, &x](int c) { step(c, b, &x, first, work); }, stages);
+  add_stage(
+      [=, this, &b, &work, &x](int c) {
+        step(c, b, &work, second, x);
+        if (dots) dots[c] = dot(c, b, x);
+      },
+      stages);
 }
 
 }  // namespace sweepmesh

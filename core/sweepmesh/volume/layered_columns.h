@@ -6,10 +6,14 @@
 // so it never forms D y: D^-1 (b - A y) = z - y. Every sweep reads each vector once.
 #pragma once
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "sweepmesh/base/parallel.h"
+#include "sweepmesh/volume/chunk_stages.h"
 #include "sweepmesh/volume/floats.h"
+#include "sweepmesh/volume/layer_kernels.h"
 #include "sweepmesh/volume/layered_system.h"
 
 namespace sweepmesh {
@@ -26,25 +30,40 @@ class LayeredColumns {
   /// Whether a column's hull is one band.
   bool is_whole(int column) const { return whole_band_[column] >= 0; }
 
-  /// Calls f(column) for all columns that hold something; sums what it returns in a fixed order.
+  int n_chunks() const { return static_cast<int>(chunk_.size()) - 1; }
+  /// Per chunk: how many chunks, from the first on, hold its columns and their neighbours.
+  const std::vector<int>& reach() const { return reach_; }
+  /// How many chunks hold the columns before `column`.
+  int chunks_before(int column) const;
+
+  /// Calls f(column) for the columns of a chunk that hold something.
   template <class F>
-  double for_columns(F&& f) const {
-    return for_chunks([&](int begin, int end) {
-      double sum = 0.0;
-      for (int c = begin; c < end; ++c)
-        if (s_.high[c] >= s_.low[c]) sum += f(c);
-      return sum;
-    });
+  void for_columns(int chunk, F&& f) const {
+    for (int c = chunk_[chunk]; c < chunk_[chunk + 1]; ++c)
+      if (s_.high[c] >= s_.low[c]) f(c);
+  }
+  template <class F>
+  void for_columns(F&& f) const {
+    team_.for_chunks(n_chunks(), 1,
+                     [&](long chunk, long, long) { for_columns(static_cast<int>(chunk), f); });
   }
 
-  /// y = A x; returns x . y.
-  double multiply(const Floats& x, Floats& y) const;
+  /// y = A x at the columns of a chunk; returns their x . y.
+  double multiply(int chunk, const Floats& x, Floats& y) const;
+
+  // The following append stages (chunk_stages.h) over all chunks. The first of each needs at most
+  // the chunks' own columns of what a stage before it wrote.
+
   /// r = b - A x.
-  void residual(const Floats& b, const Floats& x, Floats& r) const;
+  void add_residual(const Floats& b, const Floats& x, Floats& r,
+                    std::vector<ChunkStage>& stages) const;
   /// x = p(D^-1 A) D^-1 b for Chebyshev's polynomial p of degree one; `work` is spoiled.
-  void smooth_from_zero(const Floats& b, Floats& x, Floats& work) const;
-  /// x += p(D^-1 A) D^-1 (b - A x); returns b . x of the new x.
-  double smooth(const Floats& b, Floats& x, Floats& work) const;
+  void add_smoother_from_zero(const Floats& b, Floats& x, Floats& work,
+                              std::vector<ChunkStage>& stages) const;
+  /// x += p(D^-1 A) D^-1 (b - A x); a chunk's b . x of the new x goes to `dots` unless that is
+  /// null.
+  void add_smoother(const Floats& b, Floats& x, Floats& work, double* dots,
+                    std::vector<ChunkStage>& stages) const;
 
  private:
   struct Scratch;
@@ -57,29 +76,31 @@ class LayeredColumns {
   };
   Chebyshev polynomial() const;
 
-  /// f(first column, end) for every chunk; the sum of what it returns.
-  template <class F>
-  double for_chunks(F&& f) const {
-    return team_.sum_chunks(static_cast<long>(chunk_.size()) - 1, 1, 0.0,
-                            [&](long chunk, long) { return f(chunk_[chunk], chunk_[chunk + 1]); });
-  }
+  void add_stage(std::function<void(int)> work, std::vector<ChunkStage>& stages) const;
   void make_chunks();
   void set_springs();
+  void find_reach();
   void find_whole();
+  void find_steps();
   void factor();
   void find_radius();
-  /// One step of the smoother; `y` null stands for zero. Returns b . result if asked for.
-  double step(const Floats& b, const Floats* y, const Mix& mix, Floats& result,
-              bool needs_dot) const;
+  /// One step of the smoother; `y` null stands for zero.
+  void step(int chunk, const Floats& b, const Floats* y, const Mix& mix, Floats& result) const;
   /// The same for columns first .. first + n - 1, which are one or all alike.
   void step_columns(const Floats& b, const Floats* y, const Mix& mix, int first, int n,
                     Scratch& scratch, Floats& result) const;
-  /// out = b - O y for one column; b if there is no y.
+  /// A column's neighbours at its first level, itself first.
+  kernels::Neighbours neighbours(const float* x, int column) const {
+    return {x + s_.offset[column], step_.data() + row_begin_[column]};
+  }
+  int n_neighbours(int column) const { return row_begin_[column + 1] - row_begin_[column]; }
+  /// out = b - O y for one column.
   void right_of(const float* b, const float* y, int column, Scratch& scratch, float* out) const;
-  /// A column's y = A x, or b - A x if there is a b; returns x . y.
-  double multiply_whole(const float* x, int column, const float* b, Scratch& scratch,
-                        float* y) const;
-  double multiply_any(const float* x, int column, Scratch& scratch, float* y) const;
+  /// x . y over the columns of a chunk.
+  double dot(int chunk, const Floats& x, const Floats& y) const;
+  /// A column's y = A x, or b - A x if there is a b.
+  void multiply_whole(const float* x, int column, const float* b, float* y) const;
+  void multiply_any(const float* x, int column, Scratch& scratch, float* y) const;
   /// Couplings of the layers inside a column's hull.
   void couplings_of(int column, float* out) const;
   /// Whether columns have the same hull.
@@ -87,9 +108,14 @@ class LayeredColumns {
 
   const LayeredSystem& s_;
   ThreadTeam& team_;
-  std::vector<int> chunk_;       ///< first column of every chunk, and the end
+  std::vector<int> chunk_;  ///< first column of every chunk, and the end
+  std::vector<int> reach_;
   std::vector<int> whole_band_;  ///< per column: the band that is its hull, or -1
-  Floats spring_;                ///< per layer, once
+  /// Rows of the columns that are whole in that band, the diagonal first: steps in nodes.
+  std::vector<int> row_begin_;
+  Ints step_;
+  Floats weight_;
+  Floats spring_;  ///< per layer, once
   /// Per level, three times: the springs of a column that is whole (kernels::ColumnProduct).
   Floats up_, down_, up_beyond_, down_beyond_;
   Floats pivot_;         ///< inverse pivots of the columns, one a node

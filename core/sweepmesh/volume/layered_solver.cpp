@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 
 #include "sweepmesh/volume/layer_kernels.h"
@@ -11,31 +12,21 @@
 namespace sweepmesh {
 namespace {
 
-/// Base matrices in compressed rows, for transfers between levels.
-struct Transfer {
-  std::vector<int> offset, column;
-  std::vector<float> weight;
-
-  explicit Transfer(BaseMatrix m)
-      : offset(std::move(m.offset)),
-        column(std::move(m.column)),
-        weight(m.value.begin(), m.value.end()) {}
-};
-
 /// The hierarchy and one V-cycle on it.
 class Multigrid {
  public:
-  Multigrid(const LayeredLevel& finest, ThreadTeam& team) {
-    for (const LayeredLevel* level = &finest;; level = coarser_.back().get()) {
-      levels_.push_back(std::make_unique<LayeredColumns>(level->system, team));
+  Multigrid(const LayeredSystem& finest, ThreadTeam& team) : team_(team) {
+    for (const LayeredSystem* level = &finest;; level = coarser_.back().get()) {
+      levels_.push_back(std::make_unique<LayeredColumns>(*level, team));
       BaseMatrix p = make_prolongation(*level, team);
-      if (p.n_cols == 0 || 4 * p.n_cols > 3 * (p.n_rows() - n_empty(level->system))) break;
+      if (p.n_cols == 0 || 4 * p.n_cols > 3 * (p.n_rows - n_empty(*level))) break;
       BaseMatrix r = transposed(p);
-      coarser_.push_back(std::make_unique<LayeredLevel>(make_coarser(*level, p, r, team)));
+      coarser_.push_back(std::make_unique<LayeredSystem>(make_coarser(*level, p, r, team)));
       down_.emplace_back(std::move(r));
       up_.emplace_back(std::move(p));
-      vectors_.emplace_back(coarser_.back()->system);
+      vectors_.emplace_back(*coarser_.back());
     }
+    for (int l = 0; l + 1 < n_levels(); ++l) reach_down_.push_back(reach_down(l));
   }
 
   const LayeredColumns& finest() const { return *levels_.front(); }
@@ -43,7 +34,9 @@ class Multigrid {
 
   /// x = one V-cycle for the right-hand side b, from zero; w is work space. Returns b . x.
   double cycle(const Floats& b, Floats& x, Floats& w, const Context& context) {
-    return cycle(0, b, x, w, context);
+    std::vector<double> dots(finest().n_chunks());
+    cycle(0, b, x, w, dots.data(), context);
+    return std::accumulate(dots.begin(), dots.end(), 0.0);
   }
 
  private:
@@ -60,55 +53,72 @@ class Multigrid {
     return n;
   }
 
-  double cycle(int l, const Floats& b, Floats& x, Floats& w, const Context& context) {
+  void cycle(int l, const Floats& b, Floats& x, Floats& w, double* dots, const Context& context) {
     context.check("place");
     const LayeredColumns& level = *levels_[l];
+    std::vector<ChunkStage> stages;
     if (l + 1 == n_levels()) {
-      level.smooth_from_zero(b, x, w);
-      level.smooth(b, x, w);
-      return level.smooth(b, x, w);
+      level.add_smoother_from_zero(b, x, w, stages);
+      level.add_smoother(b, x, w, nullptr, stages);
+      level.add_smoother(b, x, w, dots, stages);
+      return run_stages(stages, team_);
     }
-    level.smooth_from_zero(b, w, x);
-    level.residual(b, w, x);
     Vectors& v = vectors_[l];
-    restrict_to(l, x, v.right);
-    cycle(l + 1, v.right, v.solution, v.work, context);
+    level.add_smoother_from_zero(b, w, x, stages);
+    level.add_residual(b, w, x, stages);
+    stages.push_back({levels_[l + 1]->n_chunks(), &reach_down_[l],
+                      [&, l](int chunk) { restrict_to(l, chunk, x, v.right); }});
+    run_stages(stages, team_);
+    cycle(l + 1, v.right, v.solution, v.work, nullptr, context);
     context.check("place");
-    prolong(l, v.solution, w, x);
-    return level.smooth(b, x, w);
+    stages.assign(
+        1, {level.n_chunks(), nullptr, [&, l](int chunk) { prolong(l, chunk, v.solution, w, x); }});
+    level.add_smoother(b, x, w, dots, stages);
+    run_stages(stages, team_);
+  }
+
+  /// Per chunk of level l + 1: how many chunks of level l its columns are restricted from.
+  std::vector<int> reach_down(int l) const {
+    std::vector<int> reach;
+    for (int chunk = 0; chunk < levels_[l + 1]->n_chunks(); ++chunk) {
+      int end = 0;
+      levels_[l + 1]->for_columns(chunk, [&](int c) {
+        down_[l].for_row(c, [&](int column, float) { end = std::max(end, column + 1); });
+      });
+      reach.push_back(levels_[l]->chunks_before(end));
+    }
+    return reach;
   }
 
   /// coarse = P^T fine, over the levels that both hulls share.
-  void restrict_to(int l, const Floats& fine, Floats& coarse) const {
+  void restrict_to(int l, int chunk, const Floats& fine, Floats& coarse) const {
     const LayeredSystem &f = levels_[l]->system(), &s = levels_[l + 1]->system();
-    levels_[l + 1]->for_columns([&](int c) {
-      set_to_entries(down_[l], c, f, fine, nullptr, s.low[c], s.high[c],
+    levels_[l + 1]->for_columns(chunk, [&](int c) {
+      set_to_entries(down_[l].row(c), f, fine, nullptr, s.low[c], s.high[c],
                      coarse.data() + s.offset[c]);
-      return 0.0;
     });
   }
   /// to = from + P coarse; what is not free in a hull stays zero.
-  void prolong(int l, const Floats& coarse, const Floats& from, Floats& to) const {
+  void prolong(int l, int chunk, const Floats& coarse, const Floats& from, Floats& to) const {
     const LayeredSystem &s = levels_[l]->system(), &t = levels_[l + 1]->system();
-    levels_[l]->for_columns([&](int c) {
+    levels_[l]->for_columns(chunk, [&](int c) {
       if (!levels_[l]->is_whole(c))
         std::fill_n(to.data() + s.offset[c], levels_[l]->length(c), 0.0f);
       for_free_bands(s, c, [&](const BaseRows&, int first, int last) {
-        set_to_entries(up_[l], c, t, coarse, s.at(from.data(), c, first), first, last - 1,
+        set_to_entries(up_[l].row(c), t, coarse, s.at(from.data(), c, first), first, last - 1,
                        s.at(to.data(), c, first));
       });
-      return 0.0;
     });
   }
   /// out = base (zero if null) + a row's entries times a vector of the system `f`, for the levels
   /// low .. high.
-  static void set_to_entries(const Transfer& p, int row, const LayeredSystem& f, const Floats& from,
+  static void set_to_entries(const BaseMatrix::Row& row, const LayeredSystem& f, const Floats& from,
                              const float* base, int low, int high, float* out) {
     constexpr int few = 64;
     const float* streams[few];
-    const int begin = p.offset[row], n_entries = p.offset[row + 1] - begin;
-    const int* columns = p.column.data() + begin;
-    const float* weights = p.weight.data() + begin;
+    const int n_entries = row.n;
+    const int* columns = row.column;
+    const float* weights = row.value;
     const long n = 3L * (high - low + 1);
     bool are_covered = n_entries <= few;
     for (int e = 0; e < n_entries && are_covered; ++e) {
@@ -125,22 +135,34 @@ class Multigrid {
     }
   }
 
-  std::vector<std::unique_ptr<LayeredLevel>> coarser_;
+  ThreadTeam& team_;
+  std::vector<std::unique_ptr<LayeredSystem>> coarser_;
   std::vector<std::unique_ptr<LayeredColumns>> levels_;
-  std::vector<Transfer> down_, up_;  ///< between level l and l + 1
-  std::vector<Vectors> vectors_;     ///< of level l + 1
+  std::vector<BaseMatrix> down_, up_;  ///< between level l and l + 1
+  std::vector<std::vector<int>> reach_down_;
+  std::vector<Vectors> vectors_;  ///< of level l + 1
 };
 
 /// y = x + a y, and y = x where a is 0, of whatever y is.
-void add_to(const LayeredColumns& level, const Floats& x, float a, Floats& y) {
-  level.for_columns([&](int c) {
+void add_to(const LayeredColumns& level, int chunk, const Floats& x, float a, Floats& y) {
+  level.for_columns(chunk, [&](int c) {
     const long begin = level.system().offset[c], n = level.length(c);
     if (a == 0.0f)
       std::copy_n(x.data() + begin, n, y.data() + begin);
     else
       kernels::combine(y.data() + begin, x.data() + begin, a, 1.0f, n);
-    return 0.0;
   });
+}
+
+/// p = z + a p, q = A p; returns p . q.
+double next_direction(const LayeredColumns& level, const Floats& z, float a, Floats& p, Floats& q,
+                      ThreadTeam& team) {
+  std::vector<double> dots(level.n_chunks());
+  run_stages({{level.n_chunks(), nullptr, [&](int chunk) { add_to(level, chunk, z, a, p); }},
+              {level.n_chunks(), &level.reach(),
+               [&](int chunk) { dots[chunk] = level.multiply(chunk, p, q); }}},
+             team);
+  return std::accumulate(dots.begin(), dots.end(), 0.0);
 }
 
 /// x += alpha p (x = alpha p if it is the first), r -= alpha q.
@@ -151,7 +173,6 @@ void update_solution(const LayeredColumns& level, const Floats& p, const Floats&
     if (is_first) std::fill_n(x.data() + begin, n, 0.0f);
     kernels::add_scaled(x.data() + begin, p.data() + begin, alpha, n);
     kernels::add_scaled(r.data() + begin, q.data() + begin, -alpha, n);
-    return 0.0;
   });
 }
 
@@ -164,11 +185,11 @@ double contraction(double rate) {
 
 }  // namespace
 
-SolverReport solve(const LayeredLevel& finest, Floats& x, const SolverOptions& options,
+SolverReport solve(const LayeredSystem& finest, Floats& x, const SolverOptions& options,
                    ThreadTeam& team, const Context& context) {
   Multigrid multigrid(finest, team);
   const LayeredColumns& level = multigrid.finest();
-  const auto vector = [&] { return finest.system.make_vector(); };
+  const auto vector = [&] { return finest.make_vector(); };
   Floats r = std::move(x), z = vector(), p = vector(), w = vector();
   x = vector();
   SolverReport report = {0, multigrid.n_levels(), 1.0};
@@ -180,15 +201,17 @@ SolverReport solve(const LayeredLevel& finest, Floats& x, const SolverOptions& o
     if (is_first) first = last = rz;
     if (rz > 0.0) report.reduction = std::sqrt(rz / first) * contraction(std::sqrt(rz / last));
     if (!(rz > 0.0) || report.reduction <= options.reduction) {
-      add_to(level, z, is_first ? 0.0f : 1.0f, x);  // this cycle counts too
+      team.for_chunks(level.n_chunks(), 1, [&](long chunk, long, long) {  // this cycle counts too
+        add_to(level, static_cast<int>(chunk), z, is_first ? 0.0f : 1.0f, x);
+      });
       break;
     }
     if (++report.n_iterations > options.max_iterations)
       throw SolverError("place", "The harmonic system did not converge in " +
                                      std::to_string(options.max_iterations) + " iterations.");
-    add_to(level, z, is_first ? 0.0f : static_cast<float>(rz / last), p);
+    const float again = is_first ? 0.0f : static_cast<float>(rz / last);
     last = rz;
-    const double pq = level.multiply(p, w);
+    const double pq = next_direction(level, z, again, p, w, team);
     update_solution(level, p, w, static_cast<float>(rz / pq), is_first, x, r);
   }
   return report;

@@ -29,7 +29,7 @@ struct SolverReport {
 
 /// `x` is the right-hand side on entry and the solution on return, in the layout of the finest
 /// level. Throws SolverError when it does not converge, and Cancelled.
-SolverReport solve(const LayeredLevel& finest, Floats& x, const SolverOptions& options,
+SolverReport solve(const LayeredSystem& finest, Floats& x, const SolverOptions& options,
                    ThreadTeam& team, const Context& context);
 
 }  // namespace sweepmesh

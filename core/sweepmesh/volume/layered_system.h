@@ -29,14 +29,13 @@ namespace sweepmesh {
 /// Vertical couplings of one class of layers, a value per column: of the two nodes with each other,
 /// and the parts of the diagonal of the lower and the upper one. Empty: no layer is of this class.
 struct LayerClass {
-  std::vector<float> across, lower, upper;
+  Floats across, lower, upper;
 };
 
-/// Rows of a base matrix as the sweeps over memory want them: the diagonal first in every row.
+/// A base matrix, rows and columns of free nodes only, with the diagonal first in every row.
 struct BaseRows {
-  std::vector<int> offset, neighbour;
-  std::vector<float> weight;
-  std::vector<float> diagonal;  ///< 0: not free in this band
+  BaseMatrix matrix;
+  Floats diagonal;  ///< 0: not free in this band
 };
 
 struct LayeredSystem {
@@ -78,25 +77,19 @@ void for_free_bands(const LayeredSystem& s, int column, F&& f) {
   }
 }
 
-/// A system with what only the making of coarser ones needs.
-struct LayeredLevel {
-  LayeredSystem system;
-  std::vector<BaseMatrix> matrix;  ///< per band, rows and columns of free nodes only
-};
-
 /// The finest level; `cells` are those around the extrusion's columns. Linear in the base mesh
 /// times the bands.
-LayeredLevel make_layered_level(const Extrusion& extrusion, const CellsOfColumns& cells,
-                                const BaseMetric& metric, const std::vector<char>& fixed,
-                                ThreadTeam& team);
+LayeredSystem make_layered_system(const Extrusion& extrusion, const CellsOfColumns& cells,
+                                  const BaseMetric& metric, const std::vector<char>& fixed,
+                                  ThreadTeam& team);
 
 /// Galerkin's product with a prolongation of the base (columns x coarse columns) that is the same
 /// for all levels, and its transpose; vertical couplings are lumped.
-LayeredLevel make_coarser(const LayeredLevel& fine, const BaseMatrix& prolongation,
-                          const BaseMatrix& restriction, ThreadTeam& team);
+LayeredSystem make_coarser(const LayeredSystem& fine, const BaseMatrix& prolongation,
+                           const BaseMatrix& restriction, ThreadTeam& team);
 
 /// Smoothed aggregation: every aggregate is a column and its strong neighbours. The result has as
 /// many columns as `fine` when nothing can be joined.
-BaseMatrix make_prolongation(const LayeredLevel& fine, ThreadTeam& team);
+BaseMatrix make_prolongation(const LayeredSystem& fine, ThreadTeam& team);
 
 }  // namespace sweepmesh

@@ -51,6 +51,7 @@ std::vector<std::vector<FreeNode>> independent_sets(const Extrusion& x,
 
 struct Worth {
   double sum = 0.0, least = 1.0;
+  double shortest = std::numeric_limits<double>::infinity();  ///< edge
 };
 
 /// One node, the elements around it, and its moves.
@@ -72,18 +73,22 @@ class Mover {
     }
     if (at.k > x.k_low[at.column]) see_node(node_ - 1);
     if (at.k < x.k_high[at.column]) see_node(node_ + 1);
+    for (const long other : others_)
+      mean_ += (Point3(points_.row(other)) - start_).norm() / static_cast<double>(others_.size());
     before_ = worth();
   }
 
   /// A step of `length` shortest edges uphill; returns whether it was taken.
   bool go(double floor, double& length, double longest) {
     constexpr int n_trials = 3;
+    constexpr double narrow = 0.3;  // of the mean edge at the node
     const Point3 uphill = gradient();
     if (elements_.empty() || !(uphill.norm() > 0.0)) return false;
     for (int trial = 0; trial < n_trials; ++trial) {
       put(start_ + length * shortest_ * uphill.normalized());
       const Worth now = worth();
-      if (now.sum > before_.sum && now.least >= std::min(before_.least, floor)) {
+      if (now.sum > before_.sum && now.least >= std::min(before_.least, floor) &&
+          now.shortest >= std::min(before_.shortest, narrow * mean_)) {
         length = std::min(longest, 1.5 * length);
         return true;
       }
@@ -96,6 +101,7 @@ class Mover {
  private:
   void put(const Point3& p) { points_.row(node_) = p; }
   void see_node(long other) {
+    others_.push_back(other);
     shortest_ = std::min(shortest_, (Point3(points_.row(other)) - start_).norm());
   }
   void see_edges(int cell, int corner, int k) {
@@ -112,6 +118,8 @@ class Mover {
       w.sum += value;
       w.least = std::min(w.least, value);
     }
+    for (const long other : others_)
+      w.shortest = std::min(w.shortest, (points_.row(other) - points_.row(node_)).norm());
     return w;
   }
   Point3 gradient() {
@@ -133,6 +141,8 @@ class Mover {
   long node_;
   Point3 start_, normal_;
   double shortest_ = std::numeric_limits<double>::infinity();
+  double mean_ = 0.0;  ///< edge
+  std::vector<long> others_;
   std::vector<SweptElement> elements_;
   Worth before_;
 };

@@ -2,7 +2,8 @@
 //
 // A free node goes a step along the gradient of the sum of the scaled Jacobians around it, if that
 // sum then rises and the least of them does not fall below the least of the whole mesh (or below
-// what it was, where that is less). Steps grow while they succeed and shrink while they fail. Nodes
+// what it was, where that is less), and no edge at it becomes shorter than 0.3 of the mean one
+// there (or than it was). Steps grow while they succeed and shrink while they fail. Nodes
 // of one colour of columns and one parity of levels share no element, so they move at the same
 // time, and the result does not depend on the number of threads.
 #pragma once

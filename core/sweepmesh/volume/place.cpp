@@ -58,11 +58,11 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
                       const PlacementOptions& options, Points& points, PlacementReport& report,
                       ThreadTeam& team, const Context& context) {
   const CellsOfColumns cells(x);
-  const LayeredLevel level = make_layered_level(x, cells, metric, fixed, team);
-  if (level.system.is_empty()) return;
-  Floats e = right_hand_side(x, cells, motion, metric, residuals, level.system, 1.0 / unit, team);
-  const SolverReport solved = solve(level, e, {.reduction = options.reduction}, team, context);
-  add_correction(x, level.system, e, unit, points, team);
+  const LayeredSystem system = make_layered_system(x, cells, metric, fixed, team);
+  if (system.is_empty()) return;
+  Floats e = right_hand_side(x, cells, motion, metric, residuals, system, 1.0 / unit, team);
+  const SolverReport solved = solve(system, e, {.reduction = options.reduction}, team, context);
+  add_correction(x, system, e, unit, points, team);
   report.was_solved = true;
   report.n_iterations = solved.n_iterations;
 }
@@ -160,7 +160,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   assert(static_cast<long>(fixed.size()) == extrusion.n_nodes());
   PlacementReport report;
   if (extrusion.n_elements() == 0) return report;
-  ThreadTeam team(context.n_threads());
+  ThreadTeam& team = team_of(context);
   context.report(0.0, "Placing the interior nodes");
   BaseMetric metric = make_layer_heights(extrusion, fixed, points, team);
   if (options.method != PlacementMethod::harmonic_residual) {

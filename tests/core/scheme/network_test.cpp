@@ -10,6 +10,7 @@
 #include "sweepmesh/scheme/levels.h"
 #include "sweepmesh/scheme/prismatic.h"
 #include "sweepmesh/scheme/role_search.h"
+#include "sweepmesh/scheme/walled.h"
 
 namespace sweepmesh {
 namespace {
@@ -154,6 +155,26 @@ TEST(Prismatic, GuessesTheAxisOfEveryPrism) {
     EXPECT_NEAR(guessed.front().cost, best_of(network).cost, 1e-9) << name;
     for (const Division& d : guessed) EXPECT_TRUE(level_groups(network, d.choices)) << name;
   }
+}
+
+TEST(Walled, SidesOfAWallNeverMeet) {
+  int n_found = 0;
+  for (const auto& family : {test::prisms(), test::many_to_one(), test::drilled_across()})
+    for (const auto& [name, model] : family) {
+      const Network network = make_network(sweep_problem(model, {}), radial_limits());
+      Context context;
+      for (const Division& d : walled_divisions(network, context)) {
+        ++n_found;
+        EXPECT_TRUE(level_groups(network, d.choices)) << name;
+        for (const ProblemEdge& e : network.problem.edges) {
+          const auto role = [&](int side) {
+            return d.choices.role[network.problem.coedges[e.coedge[side]].face];
+          };
+          EXPECT_NE(role(0) | role(1), kSourceStates | kTargetStates) << name;
+        }
+      }
+    }
+  EXPECT_GT(n_found, 0);
 }
 
 TEST(Levels, AxialCycleIsFound) {

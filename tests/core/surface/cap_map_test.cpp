@@ -12,6 +12,7 @@
 #include "sweepmesh/surface/foldover_free_2d.h"
 #include "sweepmesh/surface/mean_value_2d.h"
 #include "sweepmesh/surface/planar_pair.h"
+#include "sweepmesh/surface/widened.h"
 
 namespace sweepmesh {
 namespace {
@@ -110,6 +111,85 @@ INSTANTIATE_TEST_SUITE_P(Holes, CapMotions,
                                          Motion{"shrinks", 0.0, 0.4, {0, 0}},
                                          Motion{"does_all", pi / 4, 1.3, {10, 8}}),
                          [](const auto& info) { return info.param.name; });
+
+/// The shortest side with an end inside, over what it should be.
+double least_share(const PlanarMesh& mesh, const std::vector<Point2>& points,
+                   const SideLengths& wished) {
+  double least = 1.0;
+  for (int c = 0; c < mesh.n_cells(); ++c)
+    for (int i = 0, n = static_cast<int>(mesh.cell(c).size()); i < n; ++i) {
+      const int a = mesh.cell(c)[i], b = mesh.cell(c)[(i + 1) % n];
+      if (std::max(a, b) >= mesh.n_boundary)
+        least = std::min(least, (points[b] - points[a]).norm() / wished[mesh.cell_offset[c] + i]);
+    }
+  return least;
+}
+
+TEST_P(CapMotions, squeezed_cells_are_widened_and_lose_no_angle) {
+  const Context context;
+  const Motion& m = GetParam();
+  const PlanarLoops source = block_with_hole(3.0);
+  PlanarLoops target = source;
+  target[1] = moved(target[1], {30, 30}, m.angle, m.factor, m.shift);
+  const PlanarMesh mesh = meshed(source, 3.0);
+  MapOptions as_before;
+  as_before.squeezed = 0.0;
+  const PlanarMap before = map_planar(mesh, flattened(target), as_before, context);
+  const SideLengths wished = lengths_like(mesh, {}, before.points, {});
+  const double was = least_share(mesh, before.points, wished);
+  const PlanarMap now = map_planar(mesh, flattened(target), {}, context);
+  if (was >= MapOptions{}.squeezed) {
+    EXPECT_EQ(now.points, before.points);
+    return;
+  }
+  EXPECT_GT(least_share(mesh, now.points, wished), std::min(1.2 * was, MapOptions{}.squeezed));
+  EXPECT_GE(now.final.min, std::min(before.final.min, WidenOptions{}.good_enough));
+  EXPECT_GE(now.final.mean, before.final.mean - 0.01);
+}
+
+TEST(CapMap, bands_narrower_than_they_should_be_become_wider) {
+  const Context context;
+  PlanarMesh mesh = meshed({rectangle({0, 0}, {10, 10}, 1.0)}, 1.0);
+  const SideLengths wished = lengths_of_regular(mesh, {});
+  std::vector<Point2> points = mesh.points;
+  for (int i = mesh.n_boundary; i < mesh.n_nodes(); ++i)  // rows nearer to one side
+    points[i].y() *= points[i].y() / 10.0;
+  const double was = least_share(mesh, points, wished);
+  ASSERT_LT(was, 0.15);
+  const auto now = widened(mesh, points, wished, {}, {}, context);
+  EXPECT_GT(least_share(mesh, now, wished), 1.5 * was);
+  EXPECT_GE(quality(now, mesh).min, std::min(0.7, quality(points, mesh).min));
+  EXPECT_EQ(widened(mesh, mesh.points, wished, {}, {}, context), mesh.points);
+  std::swap(points[mesh.n_boundary], points.back());
+  EXPECT_EQ(widened(mesh, points, wished, {}, {}, context), points) << "inverted: left alone";
+}
+
+/// Of the worse end, whatever the other one pays for it.
+double evenness_of(const PlanarMesh& mesh, const std::vector<Point2>& second) {
+  PlanarMesh there = mesh;
+  there.points = second;
+  return std::min(evenness(mesh, mesh.points, lengths_of_regular(mesh, {}), {}),
+                  evenness(there, second, lengths_of_regular(there, {}), {}));
+}
+
+TEST(CapMap, a_pair_shares_between_its_ends_what_squeezes_cells) {
+  const Context context;
+  PlanarMeshOptions options;
+  for (const double shift : {8.0, 10.0, 12.0, 14.0})
+    for (const double size : {3.8, 3.0, 2.6, 2.2}) {
+      const int n = 2 * static_cast<int>(std::lround(9.0 * pi / size));
+      const auto with_hole = [&](double at) {
+        return PlanarLoops{rectangle({0, 0}, {60, 60}, size), as_hole(circle(n, 9.0, {at, at}))};
+      };
+      options.size = size;
+      const PlanarPair pair =
+          mesh_planar_pair(with_hole(30.0 - shift), with_hole(30.0 + shift), options, {}, context);
+      EXPECT_GT(evenness_of(pair.first, pair.second), shift < 14.0 ? 0.78 : 0.5)
+          << size << " " << shift;
+      EXPECT_GT(std::min(pair.first_quality.min, pair.second_quality.min), 0.4)
+          << size << " " << shift;
+    }
+}
 
 TEST(CapMap, a_valid_map_is_left_alone_where_it_is_good) {
   const Context context;
