@@ -7,7 +7,7 @@
 namespace sweepmesh {
 
 /// Above this excess hardly a scheme could be meshed (docs/assessment.md).
-inline constexpr double kMostExcess = 6.0;
+inline constexpr double kMostExcess = 7.5;
 
 /// Squared deviations, in quarter turns (limits.h), of the edges that are beyond the strict limits
 /// and of the vertices of linking faces that are as far from what their types ask for. Slight
