@@ -202,7 +202,7 @@ class SlabWalker {
     constexpr int n = 16;
     try {
       const std::vector<Section> sections = sections_in_steps(low, high, level, n);
-      return carried_between(sections, n, 2 * n, carried_between(sections, 0, n, points));
+      return carried_over(sections, n, 2 * n, carried_over(sections, 0, n, points));
     } catch (const InvalidMeshError& e) {
       throw_unreachable(low, high, e);
     } catch (const InputError& e) {
@@ -233,13 +233,32 @@ class SlabWalker {
     return out;
   }
 
+  Section step_between(const std::vector<Section>& sections, int first, int last) const {
+    Section step;
+    for (std::size_t l = 0; l < sections[first].size(); ++l)
+      step.push_back({sections[first][l].to, sections[last][l].to});
+    return step;
+  }
+
+  /// In one step where some map has no folds, else in halves. What lies between does not count if
+  /// it can be had without: caps are mapped onto each other in one step too.
+  std::vector<Point2> carried_over(const std::vector<Section>& sections, int first, int last,
+                                   const std::vector<Point2>& points) const {
+    try {
+      const Section step = step_between(sections, first, last);
+      if (step.empty() || largest_move(step) > seen_.coincidence)
+        return carried_inside(step, points, spacing_, context_);
+      return points;
+    } catch (const InvalidMeshError&) {
+      return carried_between(sections, first, last, points);
+    }
+  }
+
   /// At once where the harmonic map has no folds, else in two halves, in which the section keeps
   /// its shape more nearly. Only a single step is worth the search for another map.
   std::vector<Point2> carried_between(const std::vector<Section>& sections, int first, int last,
                                       const std::vector<Point2>& points) const {
-    Section step;
-    for (std::size_t l = 0; l < sections[first].size(); ++l)
-      step.push_back({sections[first][l].to, sections[last][l].to});
+    const Section step = step_between(sections, first, last);
     if (!step.empty() && largest_move(step) <= seen_.coincidence) return points;
     if (last - first == 1) return carried_inside(step, points, spacing_, context_);
     if (auto there = carried_harmonically(step, points, spacing_)) return *there;

@@ -8,7 +8,6 @@
 #include "sweepmesh/scheme/prismatic.h"
 #include "sweepmesh/scheme/ranking.h"
 #include "sweepmesh/scheme/reasons.h"
-#include "sweepmesh/scheme/strain.h"
 #include "sweepmesh/scheme/to_scheme.h"
 #include "sweepmesh/scheme/walled.h"
 
@@ -236,8 +235,7 @@ class Assessor {
     return {{}, reasons_of_failure(lenient, result, context_)};
   }
 
-  /// What the lenient search found, and the best for each direction with its plane faces as caps,
-  /// without what is beyond all hope.
+  /// What the lenient search found, and the best for each direction with its plane faces as caps.
   std::vector<Scheme> strained(const Network& lenient, std::vector<Division> divisions) {
     for (const PlaneCaps& caps : plane_caps(problem_)) {
       std::vector<Pick> picks;
@@ -247,8 +245,6 @@ class Assessor {
       std::ranges::move(graded_search(lenient, picks, budget_, context_, brief).divisions,
                         std::back_inserter(divisions));
     }
-    std::erase_if(divisions,
-                  [&](const Division& d) { return excess_of(model_, lenient, d) > kMostExcess; });
     std::vector<Scheme> out;
     for (Scheme& scheme : ranked(model_, lenient, std::move(divisions), {}))
       if (std::ranges::none_of(out, [&](const Scheme& s) { return has_same_caps(s, scheme); }))
