@@ -18,6 +18,9 @@ struct ElementCheck {
 
 double scaled_jacobian_of(const Extrusion& extrusion, const Points& points, SweptElement element);
 
+/// A scaled Jacobian up to this is none: rounding decides its sign.
+inline constexpr double kDegenerate = 1e-6;
+
 /// Elements whose scaled Jacobian is not above `threshold`.
 ElementCheck check_elements(const Extrusion& extrusion, const Points& points, double threshold,
                             ThreadTeam& team);

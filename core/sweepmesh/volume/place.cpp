@@ -80,6 +80,7 @@ void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const
       hopeless_elements(x, without_sliding(fixed, options.sliding), points, inverted);
   if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
   UntangleOptions how;
+  how.threshold = kDegenerate;
   how.max_attempts = options.max_attempts;
   // Boundaries that leave room for valid elements invert a few percent of them at first.
   constexpr double many = 0.25;
@@ -108,12 +109,12 @@ void set_quality(const ElementCheck& check, PlacementReport& report) {
 void mend_elements(const Extrusion& x, const std::vector<char>& fixed, BaseMetric& metric,
                    const PlacementOptions& options, bool may_improve, Points& points,
                    PlacementReport& report, ThreadTeam& team, const Context& context) {
-  set_quality(check_elements(x, points, 0.0, team), report);
+  set_quality(check_elements(x, points, kDegenerate, team), report);
   report.n_inverted_before = static_cast<long>(report.inverted.size());
   if (!report.inverted.empty() && options.max_attempts > 0) {
     complete_metric(x, points, metric, team);
     untangle_inverted(x, fixed, metric, options, report.inverted, points, team, context);
-    set_quality(check_elements(x, points, 0.0, team), report);
+    set_quality(check_elements(x, points, kDegenerate, team), report);
   }
   // Layers that are exact images of the caps stay so.
   if (!report.inverted.empty() || !may_improve) return;
@@ -128,7 +129,7 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, BaseMetri
     ascend_nodes(x, fixed, {.sliding = options.sliding}, points, team, context);
   else if (least == report.min_scaled_jacobian)
     return;
-  set_quality(check_elements(x, points, 0.0, team), report);
+  set_quality(check_elements(x, points, kDegenerate, team), report);
 }
 
 /// The element of a cell between layers k and k + 1, among those of its kind.
@@ -166,7 +167,7 @@ PlacementReport place_interior(const Extrusion& extrusion, const std::vector<cha
   if (options.method != PlacementMethod::harmonic_residual) {
     complete_metric(extrusion, points, metric, team);
     place_by_older_method(options.method, extrusion, fixed, metric, points, team, context);
-    set_quality(check_elements(extrusion, points, 0.0, team), report);
+    set_quality(check_elements(extrusion, points, kDegenerate, team), report);
     return report;
   }
   const LayerMotion motion = make_layer_motion(extrusion, fixed, points, metric, team);

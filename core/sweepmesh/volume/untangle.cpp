@@ -251,7 +251,7 @@ std::vector<long> hopeless_elements(const Extrusion& extrusion, const std::vecto
         const Point3 o = points.row(corner[0]);
         const Point3 a = points.row(corner[1]), b = points.row(corner[2]),
                      c = points.row(corner[3]);
-        is_hopeless = is_hopeless || !(normalised_determinant(a - o, b - o, c - o) > 0.0);
+        is_hopeless = is_hopeless || !(normalised_determinant(a - o, b - o, c - o) > kDegenerate);
       }
     if (is_hopeless) hopeless.push_back(number);
   }

@@ -169,6 +169,31 @@ TEST(PlaceInterior, FoldedBoundaryIsRefusedAtOnceWithItsElements) {
   }
 }
 
+TEST(PlaceInterior, CornersThatOnlyRoundingOpensAreRefused) {
+  Solid solid = make_solid(make_grid(6, 6), 5,
+                           [](double x, double y, double w) { return Point3(x, y, 5 * w); });
+  const Extrusion& x = solid.extrusion;
+  const auto corner = std::find_if(x.cell_columns.begin(), x.cell_columns.end(), [&](int c) {
+    return std::ranges::count(x.cell_columns, c) == 1;
+  });
+  const long i = corner - x.cell_columns.begin(), first = i - i % 4;
+  const int next = x.cell_columns[first + (i + 1) % 4],
+            previous = x.cell_columns[first + (i + 3) % 4];
+  for (const double open : {1e-12, 1e-3}) {
+    Points points = solid.input();
+    for (int k = 0; k <= 5; ++k) {  // a corner of the block, almost on the line of its neighbours
+      const Point3 middle = 0.5 * (points.row(x.node(next, k)) + points.row(x.node(previous, k)));
+      const Point3 from = points.row(x.node(*corner, k));
+      points.row(x.node(*corner, k)) = middle + open * (from - middle);
+    }
+    Context context;
+    if (open < kDegenerate)
+      EXPECT_THROW(place_interior(x, solid.fixed, points, {}, context), InvalidMeshError);
+    else
+      EXPECT_GT(place_interior(x, solid.fixed, points, {}, context).min_scaled_jacobian, 0.0);
+  }
+}
+
 TEST(PlaceInterior, ImprovingPoorElementsNeverLowersTheLeastValue) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     RandomMotion motion(seed);
