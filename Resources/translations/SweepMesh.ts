@@ -96,6 +96,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Holes that wind too far to be meshed are refused at once</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>How linking faces turn at vertices: Face3:Vertex7=corner</source>
       <translation type="unfinished" />
     </message>

@@ -96,6 +96,10 @@
       <translation>Hexaeder</translation>
     </message>
     <message>
+      <source>Holes that wind too far to be meshed are refused at once</source>
+      <translation>Löcher, die sich zu weit winden, werden sofort abgelehnt</translation>
+    </message>
+    <message>
       <source>How linking faces turn at vertices: Face3:Vertex7=corner</source>
       <translation>Wie Mantelflächen an Ecken abbiegen: Face3:Vertex7=corner</translation>
     </message>

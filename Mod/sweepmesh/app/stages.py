@@ -20,6 +20,7 @@ Each takes a document object or a Part shape, and settings by keyword:
     imprint_tolerance  curves of different caps nearer than this become one; none given: from the size
     threads       0: all processors
     max_elements  refuse meshes that would have more
+    refuse_folds  False: holes that wind too far to be meshed are tried all the same
 
 A face is a name ("Face7"), a number (7), a Part.Face, or a point on it: (x, y, z); an edge a name, a number or a
 Part.Edge.

@@ -78,12 +78,12 @@ def test_what_changes_no_mesh_runs_no_mesher(sweep, document, monkeypatch):
 
 
 def test_settings_survive_save_and_reopen(box, document, tmp_path):
-    app.make_sweep_mesh(box, size=1.0, layers=3, sources=["Face5"], targets=["Face6"], max_elements=5000)
+    app.make_sweep_mesh(box, size=1.0, layers=3, sources=["Face5"], targets=["Face6"], max_elements=5000, refuse_folds=False)
     count = document.SweepMesh.Hexahedra
     restored = reopened(document, tmp_path)
     sweep = restored.SweepMesh
     assert isinstance(sweep.Proxy, Sweep)
-    assert (sweep.Size.Value, sweep.Layers, sweep.MaxElements) == (1.0, 3, 5000)
+    assert (sweep.Size.Value, sweep.Layers, sweep.MaxElements, sweep.RefuseFolds) == (1.0, 3, 5000, False)
     assert sweep.Shape == restored.Brick and sweep.Sources == (restored.Brick, ["Face5"])
     assert sweep.FemMesh.HexaCount == count and sweep.isValid()
     names = [sweep.FemMesh.getGroupName(group) for group in sweep.FemMesh.Groups]

@@ -10,6 +10,7 @@ _PROPERTIES = {
     "element": "Element",
     "solid": "Solid",
     "max_elements": "MaxElements",
+    "refuse_folds": "RefuseFolds",
     "imprint_tolerance": "ImprintTolerance",
 }
 

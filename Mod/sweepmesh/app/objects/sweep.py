@@ -50,6 +50,7 @@ TABLE = (
             "Larger meshes are refused; 0: the default limit",
             (0, 0, 2**31 - 1, 100000),
         ),
+        Property("App::PropertyBool", "RefuseFolds", "Holes that wind too far to be meshed are refused at once", True),
     ),
     *in_group(
         "Report",
@@ -155,6 +156,7 @@ def options_of(obj):
     options.imprint_tolerance = obj.ImprintTolerance.Value or None
     if obj.MaxElements:
         options.max_elements = obj.MaxElements
+    options.refuse_folds = obj.RefuseFolds
     return options
 
 

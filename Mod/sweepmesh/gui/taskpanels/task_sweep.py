@@ -60,7 +60,7 @@ class SweepPanel:
         form.showRoles.setChecked(preferences.colour_faces())
         stored = self._stored_options()
         options = stored or self._first_options()
-        self._others = {name: getattr(options, name) for name in ("max_elements", "solid")}
+        self._others = {name: getattr(options, name) for name in ("max_elements", "solid", "refuse_folds")}
         form.meshSize.setProperty("rawValue", options.size or 0.0)
         form.layerCount.setValue(options.layers or 0)
         form.elementKind.setCurrentIndex(ELEMENTS.index(options.element) if options.element in ELEMENTS else 0)
