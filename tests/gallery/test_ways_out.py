@@ -129,9 +129,8 @@ def test_a_hollow_beside_a_bore_is_cut_between_them(axis, degrees, apart):
     assert outcome == "led", text
 
 
-@pytest.mark.parametrize("family, first, count", [("primitives", 41000, 30), ("primitives", 700, 4)])
-def test_no_offered_cut_leads_nowhere(family, first, count):
-    outcomes = {seed: way_out(make(family, seed)) for seed in range(first, first + count)}
+def test_no_offered_cut_leads_nowhere():
+    outcomes = {seed: way_out(make("primitives", seed)) for seed in range(41000, 41030)}
     lost = {seed: text for seed, (outcome, text) in outcomes.items() if outcome == "lost"}
     assert not lost
     assert any(outcome == "led" for outcome, _ in outcomes.values())
