@@ -333,9 +333,7 @@ std::vector<MapTriangle> corners_like(const PlanarMesh& mesh, const std::vector<
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const auto cell = mesh.cell(c);
     const int n = static_cast<int>(cell.size());
-    Point2 centre = Point2::Zero();
-    for (const int node : cell) centre += ideal[node] / n;
-    const Eigen::Matrix2d root = ideal_metric ? ideal_metric(centre) : Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d root = metric_at(ideal_metric, ideal, cell);
     for (int i = 0; i < n; ++i) {
       const int next = cell[(i + 1) % n], previous = cell[(i + n - 1) % n];
       Eigen::Matrix2d edges;

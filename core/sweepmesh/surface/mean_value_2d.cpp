@@ -31,9 +31,7 @@ std::vector<Contribution> contributions(const PlanarMesh& mesh, int n_fixed, con
   std::vector<Contribution> out;
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const auto cell = mesh.cell(c);
-    Point2 centre = Point2::Zero();
-    for (const int node : cell) centre += mesh.points[node] / static_cast<double>(cell.size());
-    const Eigen::Matrix2d root = metric ? metric(centre) : Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d root = metric_at(metric, mesh.points, cell);
     for (std::size_t i = 0; i < cell.size(); ++i)
       if (cell[i] >= n_fixed) add_corner(mesh, cell, i, root, out);
   }

@@ -24,12 +24,18 @@ double regular_area(int n) {
   return n == 4 ? 1.0 : 0.25 * n / std::tan(std::numbers::pi / n);
 }
 
+Eigen::Matrix2d metric_at(const Metric& metric, std::span<const Point2> points,
+                          std::span<const int> cell) {
+  if (!metric) return Eigen::Matrix2d::Identity();
+  Point2 centre = Point2::Zero();
+  for (const int node : cell) centre += points[node] / static_cast<double>(cell.size());
+  return metric(centre);
+}
+
 double scaled_jacobian(std::span<const Point2> points, std::span<const int> cell,
                        const Metric& metric) {
   const int n = static_cast<int>(cell.size());
-  Point2 centre = Point2::Zero();
-  for (const int node : cell) centre += points[node] / n;
-  const Eigen::Matrix2d root = metric ? metric(centre) : Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d root = metric_at(metric, points, cell);
   double least = 1.0;
   for (int i = 0; i < n; ++i) {
     const Point2 next = root * (points[cell[(i + 1) % n]] - points[cell[i]]);

@@ -36,6 +36,10 @@ struct PlanarMesh {
 /// a small chart vector d has the length |S d| there. Empty function: the plane itself.
 using Metric = std::function<Eigen::Matrix2d(const Point2&)>;
 
+/// At a cell's middle; the identity where there is no metric.
+Eigen::Matrix2d metric_at(const Metric& metric, std::span<const Point2> points,
+                          std::span<const int> cell);
+
 /// The loops' points in one row, as PlanarMesh keeps them.
 std::vector<Point2> flattened(const PlanarLoops& loops);
 

@@ -292,9 +292,7 @@ Cut best_cut(const std::vector<Point2>& points, std::span<const int> cell, int f
 int widest_corner(const std::vector<Point2>& points, std::span<const int> cell,
                   const Metric& metric) {
   const int n = static_cast<int>(cell.size());
-  Point2 centre = Point2::Zero();
-  for (const int node : cell) centre += points[node] / n;
-  const Eigen::Matrix2d root = metric ? metric(centre) : Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d root = metric_at(metric, points, cell);
   std::vector<double> turn;
   for (int i = 0; i < n; ++i) {
     const Point2 in = root * (points[cell[i]] - points[cell[(i + n - 1) % n]]);

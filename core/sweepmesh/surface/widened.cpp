@@ -17,15 +17,6 @@ constexpr double exchange = 0.8;
 /// wished lengths: what lies over a node on the other cap does not move with it.
 constexpr double weight_of_angles = 10.0, weight_of_lengths = 6.0, weight_of_moves = 16.0;
 
-Eigen::Matrix2d root_of(const PlanarMesh& mesh, const std::vector<Point2>& points, int c,
-                        const Metric& metric) {
-  if (!metric) return Eigen::Matrix2d::Identity();
-  Point2 centre = Point2::Zero();
-  for (const int node : mesh.cell(c))
-    centre += points[node] / static_cast<double>(mesh.cell(c).size());
-  return metric(centre);
-}
-
 /// Visits (cell, its side, the first node, the next one).
 template <class Visit>
 void for_each_side(const PlanarMesh& mesh, const Visit& visit) {
@@ -41,7 +32,7 @@ double area_of(const PlanarMesh& mesh, const std::vector<Point2>& points, const 
   for (int c = 0; c < mesh.n_cells(); ++c) {
     std::vector<Point2> corners;
     for (const int node : mesh.cell(c)) corners.push_back(points[node]);
-    sum += signed_area(corners) * root_of(mesh, points, c, metric).determinant();
+    sum += signed_area(corners) * metric_at(metric, points, mesh.cell(c)).determinant();
   }
   return sum;
 }
@@ -64,7 +55,8 @@ class Widening {
   Widening(const PlanarMesh& mesh, const std::vector<Point2>& points, const SideLengths& wished,
            const WidenOptions& options, const std::vector<int>& squeezed, const Metric& metric)
       : mesh_(mesh), now_(points), options_(options) {
-    for (int c = 0; c < mesh.n_cells(); ++c) roots_.push_back(root_of(mesh, points, c, metric));
+    for (int c = 0; c < mesh.n_cells(); ++c)
+      roots_.push_back(metric_at(metric, points, mesh.cell(c)));
     choose_free(squeezed);
     measure(wished);
   }
@@ -255,7 +247,7 @@ SideLengths lengths_like(const PlanarMesh& mesh, const Metric& metric,
       std::sqrt(std::max(0.0, area_of(mesh, points, there)) / area_of(mesh, mesh.points, metric));
   SideLengths out(mesh.cell_nodes.size());
   for_each_side(mesh, [&](int c, int side, int a, int b) {
-    const Eigen::Matrix2d root = root_of(mesh, mesh.points, c, metric);
+    const Eigen::Matrix2d root = metric_at(metric, mesh.points, mesh.cell(c));
     out[side] = scale * (root * (mesh.points[b] - mesh.points[a])).norm();
   });
   return out;
@@ -274,7 +266,7 @@ std::vector<int> cells_narrower_than(double share, const PlanarMesh& mesh,
   std::vector<int> out;
   for_each_side(mesh, [&](int c, int side, int a, int b) {
     if (std::max(a, b) < mesh.n_boundary || (!out.empty() && out.back() == c)) return;
-    const Eigen::Matrix2d root = root_of(mesh, points, c, metric);
+    const Eigen::Matrix2d root = metric_at(metric, points, mesh.cell(c));
     if ((root * (points[b] - points[a])).norm() < share * wished[side]) out.push_back(c);
   });
   return out;
@@ -286,7 +278,7 @@ double evenness(const PlanarMesh& mesh, const std::vector<Point2>& points,
   long n = 0;
   for_each_side(mesh, [&](int c, int side, int a, int b) {
     if (std::max(a, b) < mesh.n_boundary) return;
-    const Eigen::Matrix2d root = root_of(mesh, points, c, metric);
+    const Eigen::Matrix2d root = metric_at(metric, points, mesh.cell(c));
     sum += std::min(1.0, (root * (points[b] - points[a])).norm() / wished[side]);
     ++n;
   });

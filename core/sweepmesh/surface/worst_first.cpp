@@ -12,15 +12,6 @@ constexpr int rings = 4;
 constexpr double sharpness = 3.0;  // weight of a cell: (1 / scaled Jacobian) to this power
 constexpr double heaviest = 1e4;
 
-Eigen::Matrix2d root_at(const PlanarMesh& mesh, const std::vector<Point2>& points, int c,
-                        const Metric& metric) {
-  if (!metric) return Eigen::Matrix2d::Identity();
-  Point2 centre = Point2::Zero();
-  for (const int node : mesh.cell(c))
-    centre += points[node] / static_cast<double>(mesh.cell(c).size());
-  return metric(centre);
-}
-
 /// The wished edges at corner i of a rectangle whose sides are as long as the quad's are on the
 /// mean.
 Eigen::Matrix2d rectangle_corner(const std::vector<Point2>& points, std::span<const int> quad,
@@ -40,14 +31,15 @@ std::vector<MapTriangle> weighted_corners(const PlanarMesh& mesh, const std::vec
   for (int c = 0; c < mesh.n_cells(); ++c) {
     std::vector<Point2> corners;
     for (const int node : mesh.cell(c)) corners.push_back(points[node]);
-    const double area = signed_area(corners) * root_at(mesh, points, c, metric).determinant();
+    const double area =
+        signed_area(corners) * metric_at(metric, points, mesh.cell(c)).determinant();
     edge[c] = std::sqrt(area / regular_area(static_cast<int>(corners.size())));
   }
   std::vector<MapTriangle> out = corners_regular(mesh, edge);
   std::size_t corner = 0;
   for (int c = 0; c < mesh.n_cells(); ++c) {
     const auto cell = mesh.cell(c);
-    const Eigen::Matrix2d root = root_at(mesh, points, c, metric);
+    const Eigen::Matrix2d root = metric_at(metric, points, mesh.cell(c));
     for (int i = 0; i < static_cast<int>(cell.size()); ++i, ++corner) {
       out[corner].weight = weight[c];
       if (cell.size() == 4)
