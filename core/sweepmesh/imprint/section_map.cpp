@@ -253,12 +253,6 @@ std::vector<Point2> images_of(const std::vector<Point2>& all, const SectionOutli
   return out;
 }
 
-bool has_folds(const PlanarMesh& mesh, const std::vector<Point2>& images) {
-  for (int c = 0; c < mesh.n_cells(); ++c)
-    if (scaled_jacobian(images, mesh.cell(c)) <= 0.0) return true;
-  return false;
-}
-
 }  // namespace
 
 std::vector<Point2> carried_inside(const std::vector<OutlinePart>& loops,
@@ -278,7 +272,7 @@ std::optional<std::vector<Point2>> carried_harmonically(const std::vector<Outlin
   const SectionOutline section = triangulated(loops, points, spacing);
   const PlanarMesh& mesh = section.mesh;
   const std::vector<Point2> all = harmonic_map(mesh, section.images);
-  if (has_folds(mesh, all)) return {};
+  if (quality(all, mesh).n_inverted > 0) return {};
   return images_of(all, section, points.size(), spacing);
 }
 

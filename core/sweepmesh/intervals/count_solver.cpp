@@ -248,7 +248,8 @@ class PartSolver {
         try_program(part, std::max(short_part * options_.max_effort, a_few_relaxations));
     if (quick == Outcome::infeasible) return false;
     if (quick == Outcome::solved) {
-      if (!is_optimal_ && is_wide && !options_.any_will_do) improve_by_repair(part, many, without_parity);
+      if (!is_optimal_ && is_wide && !options_.any_will_do)
+        improve_by_repair(part, many, without_parity);
       return true;
     }
     return (is_wide && (repair(part, 1, many) || repair(part, 2, many))) ||

@@ -38,8 +38,8 @@ struct IntervalOptions {
   /// should miss it: small segments of circles need more edges than their length and turn say.
   double max_area_error = 0.07;
   bool quad_caps = true;  ///< caps are meshed by quads: their boundaries need even sums
-  /// Only whether there are counts is asked: the first ones found will do. Where there are none, all
-  /// demands are named instead of the fewest that contradict each other, which take a few dozen
+  /// Only whether there are counts is asked: the first ones found will do. Where there are none,
+  /// all demands are named instead of the fewest that contradict each other, which take a few dozen
   /// times as long to find.
   bool is_trial = false;
   /// Seconds for the integer solver, for each independent part, > 0; empty: only its work is

@@ -79,14 +79,17 @@ struct Motion {
   Point2 shift;
 };
 
+PlanarLoops with_hole_moved(PlanarLoops loops, const Motion& m) {
+  loops[1] = moved(loops[1], {30, 30}, m.angle, m.factor, m.shift);
+  return loops;
+}
+
 class CapMotions : public testing::TestWithParam<Motion> {};
 
 TEST_P(CapMotions, a_hole_may_move_where_harmonic_maps_fold) {
   const Context context;
   const Motion& m = GetParam();
-  const PlanarLoops source = block_with_hole(3.0);
-  PlanarLoops target = source;
-  target[1] = moved(target[1], {30, 30}, m.angle, m.factor, m.shift);
+  const PlanarLoops source = block_with_hole(3.0), target = with_hole_moved(source, m);
   const PlanarMesh mesh = meshed(source, 3.0);
   const PlanarMap map = map_planar(mesh, flattened(target), {}, context);
   EXPECT_EQ(map.final.n_inverted, 0);
@@ -128,9 +131,7 @@ double least_share(const PlanarMesh& mesh, const std::vector<Point2>& points,
 TEST_P(CapMotions, squeezed_cells_are_widened_and_lose_no_angle) {
   const Context context;
   const Motion& m = GetParam();
-  const PlanarLoops source = block_with_hole(3.0);
-  PlanarLoops target = source;
-  target[1] = moved(target[1], {30, 30}, m.angle, m.factor, m.shift);
+  const PlanarLoops source = block_with_hole(3.0), target = with_hole_moved(source, m);
   const PlanarMesh mesh = meshed(source, 3.0);
   MapOptions as_before;
   as_before.squeezed = 0.0;
