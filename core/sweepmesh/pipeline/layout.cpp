@@ -1,7 +1,6 @@
 #include "sweepmesh/pipeline/layout.h"
 
 #include "sweepmesh/pipeline/cap_match.h"
-#include "sweepmesh/pipeline/sweep.h"
 
 namespace sweepmesh {
 namespace {
@@ -30,6 +29,13 @@ Reason reason_of(const Model& model, const Scheme& scheme, const SweepOptions& o
 }
 
 }  // namespace
+
+std::vector<std::size_t> tries(std::size_t n) {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < n; ++s)
+    if (s < 4 || s + 2 >= n) out.push_back(s);
+  return out;
+}
 
 std::optional<LayoutFault> layout_fault(const Model& model, const Scheme& scheme,
                                         const SweepOptions& options, Context& context,

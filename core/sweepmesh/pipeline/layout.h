@@ -7,7 +7,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/base/errors.h"
@@ -41,6 +43,10 @@ Assessment without_layout(const Error& error);
 
 /// The sizes that sweep() tries, as shares of the wished one, in their order.
 inline constexpr std::array kSizeShares = {1.0, 0.85, 1.2, 0.7};
+
+/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
+/// straight where the solid has such sweeps.
+std::vector<std::size_t> tries(std::size_t n);
 
 /// Takes the schemes from a verdict on a solid without picks where none of those that sweep() would
 /// try can be laid out at any of its sizes; the first one's fault is the reason. Cost: mostly one

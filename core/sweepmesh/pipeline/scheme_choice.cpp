@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sweepmesh/pipeline/cap_match.h"
-#include "sweepmesh/pipeline/sweep.h"
+#include "sweepmesh/pipeline/layout.h"
 
 namespace sweepmesh {
 namespace {

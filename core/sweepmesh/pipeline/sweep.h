@@ -36,8 +36,4 @@ struct SweepResult {
 SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& options,
                   Context& context);
 
-/// Which of `n` schemes are tried, in this order: the best four, and the last two, which are
-/// straight where the solid has such sweeps.
-std::vector<std::size_t> tries(std::size_t n);
-
 }  // namespace sweepmesh

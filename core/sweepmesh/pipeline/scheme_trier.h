@@ -1,0 +1,34 @@
+// The schemes of a solid and sizes near the wished one, tried until a mesh is good enough.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "sweepmesh/pipeline/layout.h"
+#include "sweepmesh/pipeline/stage_clock.h"
+#include "sweepmesh/pipeline/sweep.h"
+
+namespace sweepmesh {
+
+inline constexpr double kPoor = 0.2;  ///< scaled Jacobian
+
+/// Meshes one of the schemes of `result.assessment` into `result`, with elements of one of `shares`
+/// of `result.size`, in their order. Schemes are tried in theirs (tries()) until one has elements
+/// that are not poor, or so many that another try would cost more than it is worth; of several
+/// meshes the best counts. Where none can be meshed the next size is tried: then nodes lie
+/// elsewhere, and narrow places get other numbers of cells. The scheme that was used is moved to
+/// the front; warnings tell of those before it that failed, and of another size.
+///
+/// Returns the least scaled Jacobian; nothing where elements stay inverted wherever inner nodes are
+/// put: result.assessment then says so. Throws the first failure's error where all fail otherwise.
+std::optional<double> mesh_some_scheme(const Model& model, const SweepOptions& options,
+                                       std::span<const double> shares, StageClock& clock,
+                                       Context& context, SweepResult& result);
+
+/// Whether other schemes might be worth their cost: poor elements, and not many.
+bool is_worth_another_try(double least, const VolumeMesh& mesh);
+
+/// Whether a scheme is worth that it was not the first choice; scaled Jacobians.
+bool is_clearly_better(double least, double than);
+
+}  // namespace sweepmesh
