@@ -49,7 +49,8 @@ struct Shell {
   std::vector<ShellPatch> patches;
 };
 
-/// Whether a scheme asks for a shell: closed or banded caps, columns without a common direction,
+/// Whether a scheme asks for a shell: closed or banded caps, columns without a common direction
+/// or path,
 /// or, between caps that are divided alike, columns that fan out from it or caps that stand on edge
 /// seen along it (a sheet that is bent over).
 bool is_shell_like(const Model& model, const Scheme& scheme);

@@ -175,7 +175,8 @@ class Matcher {
                    is_image_of_another(t.coedge.face, s.coedge.face, trial)))
       return false;
     const auto foot = feet_.find(s.coedge.start);
-    return foot == feet_.end() || foot->second == t.coedge.end || is_single(s);
+    return foot == feet_.end() || foot->second == t.coedge.end ||
+           (is_single(s) && !is_on_target(foot->second));
   }
 
   static bool is_image_of_another(FaceId image, FaceId face, const Trial& trial) {
@@ -184,7 +185,11 @@ class Matcher {
     });
   }
 
-  /// A loop of one closed edge: its vertex may lie anywhere.
+  bool is_on_target(VertexId v) const {
+    return std::ranges::any_of(target_.uses, [&](const Use& t) { return t.coedge.start == v; });
+  }
+
+  /// A loop of one closed edge: its vertex may lie anywhere on its image.
   bool is_single(const Use& u) const { return u.coedge.start == u.coedge.end; }
 
   static int n_loops(const Side& side, FaceId f) {
