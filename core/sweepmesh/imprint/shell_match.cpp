@@ -176,7 +176,14 @@ class Matcher {
       return false;
     const auto foot = feet_.find(s.coedge.start);
     return foot == feet_.end() || foot->second == t.coedge.end ||
-           (is_single(s) && !is_on_target(foot->second));
+           (is_single(s) && !is_on_cap(foot->second));
+  }
+
+  bool is_on_cap(VertexId v) const {
+    const auto has = [v](const Side& side) {
+      return std::ranges::any_of(side.uses, [v](const Use& u) { return u.coedge.start == v; });
+    };
+    return has(source_) || has(target_);
   }
 
   static bool is_image_of_another(FaceId image, FaceId face, const Trial& trial) {
@@ -185,11 +192,7 @@ class Matcher {
     });
   }
 
-  bool is_on_target(VertexId v) const {
-    return std::ranges::any_of(target_.uses, [&](const Use& t) { return t.coedge.start == v; });
-  }
-
-  /// A loop of one closed edge: its vertex may lie anywhere on its image.
+  /// A loop of one closed edge: its vertex may lie anywhere, but over no other edge of a cap.
   bool is_single(const Use& u) const { return u.coedge.start == u.coedge.end; }
 
   static int n_loops(const Side& side, FaceId f) {
