@@ -75,7 +75,7 @@ bool is_fault_of_layout(const Error& error) {
 }
 
 Assessment without_layout(Reason fault) {
-  fault.text += " Cut the solid there.";
+  fault.text += " No other choice of sources and targets that was tried can be laid out.";
   return {{}, {std::move(fault)}};
 }
 
