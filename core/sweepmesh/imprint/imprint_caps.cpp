@@ -97,6 +97,22 @@ void refuse_runaways(const Model& model, const Reference& reference) {
                            {name_of(curve.edge)});
 }
 
+/// An edge of a cap that runs along the columns has no length in R, so no cell could end at it.
+void refuse_edges_on_end(const Reference& reference) {
+  std::vector<std::string> names;
+  for (const ReferenceCurve& curve : reference.curves)
+    if (length(curve.points) <= reference.lattice) names.push_back(name_of(curve.edge));
+  if (names.empty()) return;
+  std::string listed;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    listed += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  throw ImprintError(ImprintFailure::unreachable,
+                     names.size() == 1
+                         ? listed + ", an edge of a cap, runs along the columns of the sweep."
+                         : listed + ", edges of caps, run along the columns of the sweep.",
+                     names);
+}
+
 }  // namespace
 
 ImprintBasis imprint_basis(const Model& model, const Scheme& scheme, double size,
@@ -113,6 +129,7 @@ ImprintBasis imprint_basis(const Model& model, const Scheme& scheme, double size
           ? std::move(view->seen)
           : slab_reference(model, scheme, walls, view->direction, view->seen, context);
   refuse_runaways(model, reference);
+  refuse_edges_on_end(reference);
   return {std::move(walls), std::move(reference)};
 }
 

@@ -123,6 +123,11 @@ bool is_shell_like(const Model& model, const Scheme& scheme) {
   return is_turned && match_caps(model, scheme).has_value();
 }
 
+bool may_be_shell(const Model& model, const Scheme& scheme) {
+  return !is_shell_like(model, scheme) || match_caps(model, scheme) ||
+         carried_shell(model, scheme);
+}
+
 Shell find_shell(const Model& model, const Scheme& scheme, const Context& context) {
   context.check("imprint");
   const auto match = match_caps(model, scheme);

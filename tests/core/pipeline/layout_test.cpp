@@ -72,7 +72,7 @@ TEST(Layout, ASweepThatTypesAllowMayHaveNone) {
   const Reason& reason = verdict.reasons.front();
   EXPECT_EQ(reason.kind, ReasonKind::geometric);
   EXPECT_FALSE(reason.entities.empty());
-  EXPECT_TRUE(reason.text.ends_with("Cut the solid there."));
+  EXPECT_TRUE(reason.text.ends_with("that was tried can be laid out."));
 }
 
 TEST(Layout, OneSchemeThatHasOneIsEnough) {
