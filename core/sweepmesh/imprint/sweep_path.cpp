@@ -110,8 +110,10 @@ SweepPath::Station SweepPath::between(std::size_t i, const Point3& p) const {
     const Station here = at(middle);
     (here.tangent.dot(p - here.point) > 0.0 ? low : high) = middle;
   }
-  Station out = at((low + high) / 2.0);
-  out.axis = transported(a, out.point, out.tangent);
+  const double u = (low + high) / 2.0;
+  Station out = at(u);
+  const Point3 axis = (1.0 - u) * a.axis + u * b.axis;
+  out.axis = (axis - axis.dot(out.tangent) * out.tangent).normalized();
   return out;
 }
 
