@@ -37,10 +37,7 @@ class Overlayer {
       while (snap_nodes()) merge_pieces();
       merge_pieces();
       if (cut_stretches()) continue;
-      if (cut_crossings()) continue;
-      join_pieces(graph_);
-      arranged_ = arrange_pieces(graph_);
-      return result();
+      if (!cut_crossings()) return result();
     }
     throw SolverError("imprint", "Bringing near curves together did not come to an end.");
   }

@@ -129,6 +129,16 @@ TEST(Layout, OneSchemeThatHasOneIsEnough) {
   EXPECT_EQ(verdict.schemes.size(), n);
 }
 
+TEST(Layout, SchemesBesideThoseThatWereTriedHaveOtherCaps) {
+  const Model model = bent_bar_with_boss();
+  Context context;
+  const std::vector<Scheme> all = schemes_beside(model, {}, context);
+  ASSERT_FALSE(all.empty());
+  const std::vector<Scheme> others = schemes_beside(model, {all.front()}, context);
+  EXPECT_EQ(others.size() + 1, all.size());
+  for (const Scheme& scheme : others) EXPECT_NE(scheme.face_role, all.front().face_role);
+}
+
 /// Verdict, plan and run say the same.
 void expect_one_verdict(const Model& model) {
   Context context;
