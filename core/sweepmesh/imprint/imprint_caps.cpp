@@ -10,6 +10,7 @@
 #include "sweepmesh/imprint/reference.h"
 #include "sweepmesh/imprint/slab_reference.h"
 #include "sweepmesh/imprint/sweep_levels.h"
+#include "sweepmesh/imprint/vector_area.h"
 #include "sweepmesh/imprint/walls.h"
 
 namespace sweepmesh {
@@ -32,27 +33,56 @@ double upright_area(const Model& model, const Walls& walls, const Reference& see
   return area;
 }
 
-/// R as seen along the direction in which all linking faces stand upright, or slab by slab where
-/// there is none, seen along the direction in which most of them do.
-Reference reference_of(const Model& model, const Scheme& scheme, const Walls& walls,
-                       const std::vector<int>& level, double tolerance, double size,
-                       const Context& context) {
-  std::optional<Reference> best;
-  Point3 best_direction = Point3::Zero();
-  double most = -1.0;
-  for (const Point3& direction : common_directions(model, scheme, level)) {
-    Reference seen = projected_reference(model, walls, direction, size, tolerance, context);
-    if (is_upright(walls, seen)) return seen;
-    const double area = upright_area(model, walls, seen);
-    if (area <= most * (1.0 + model.tolerances().relative)) continue;
-    most = area;
-    best = std::move(seen);
-    best_direction = direction;
+int level_of(const Model& model, const Walls& walls, FaceId cap) {
+  return walls.vertex_level[model.loops(cap).front().front().start.index];
+}
+
+/// Whether the caps at the sweep's beginning and its end look in different directions.
+bool has_turned(const Model& model, const Scheme& scheme, const Walls& walls) {
+  constexpr double most_cosine = 0.866;  // 30 degrees
+  const int last = std::ranges::max(walls.vertex_level);
+  Point3 begin = Point3::Zero(), end = Point3::Zero();
+  for (const FaceId f : scheme.faces_with(FaceRole::target))
+    if (level_of(model, walls, f) == 0) begin -= vector_area(model, f);
+  for (const FaceId f : scheme.faces_with(FaceRole::source))
+    if (level_of(model, walls, f) == last) end += vector_area(model, f);
+  return begin.dot(end) < most_cosine * begin.norm() * end.norm();
+}
+
+/// The solid as it is seen in one way, and how much of its linking faces stands upright then.
+struct View {
+  Walls walls;
+  Point3 direction;
+  Reference seen;
+  double upright = 0.0;  ///< area
+};
+
+/// Along the directions that all columns have in common, or along the path on which they turn: the
+/// first in which all linking faces stand upright; else the path where the caps turn with it, or
+/// the direction in which most of them do.
+std::optional<View> best_view(const Model& model, const Scheme& scheme, double size,
+                              const Context& context) {
+  const std::vector<int> level = sweep_levels(model, scheme);
+  const Walls walls = find_walls(model, scheme, level);
+  const double tolerance = coincidence(model, walls, size);
+  std::optional<View> best;
+  const auto offer = [&](View view) {
+    view.upright = upright_area(model, view.walls, view.seen);
+    const bool is_best =
+        !best || view.upright > best->upright * (1.0 + model.tolerances().relative);
+    if (is_best) best = std::move(view);
+    return is_best && is_upright(best->walls, best->seen);
+  };
+  for (const Point3& d : common_directions(model, scheme, level))
+    if (offer({walls, d, projected_reference(model, walls, d, size, tolerance, context)}))
+      return best;
+  if (const auto path = sweep_path(model, scheme)) {
+    const Walls along = find_walls(model, scheme, sweep_levels(model, scheme, &*path));
+    if (has_turned(model, scheme, along)) best.reset();
+    offer({along, Point3::UnitZ(),
+           straightened_reference(model, along, *path, size, tolerance, context)});
   }
-  if (!best)
-    throw ImprintError(ImprintFailure::unreachable,
-                       "The columns of the sweep do not run along one direction.", {});
-  return slab_reference(model, scheme, walls, best_direction, *best, context);
+  return best;
 }
 
 /// Slabs whose sections turn on edge are carried to anywhere; nothing can be read there.
@@ -67,17 +97,39 @@ void refuse_runaways(const Model& model, const Reference& reference) {
                            {name_of(curve.edge)});
 }
 
+/// An edge of a cap that runs along the columns has no length in R, so no cell could end at it.
+void refuse_edges_on_end(const Reference& reference) {
+  std::vector<std::string> names;
+  for (const ReferenceCurve& curve : reference.curves)
+    if (length(curve.points) <= reference.lattice) names.push_back(name_of(curve.edge));
+  if (names.empty()) return;
+  std::string listed;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    listed += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  throw ImprintError(ImprintFailure::unreachable,
+                     names.size() == 1
+                         ? listed + ", an edge of a cap, runs along the columns of the sweep."
+                         : listed + ", edges of caps, run along the columns of the sweep.",
+                     names);
+}
+
 }  // namespace
 
 ImprintBasis imprint_basis(const Model& model, const Scheme& scheme, double size,
                            const Context& context) {
   if (!(size > 0.0) || !std::isfinite(size))
     throw InputError("imprint", "The element size must be positive.");
-  const std::vector<int> level = sweep_levels(model, scheme);
-  Walls walls = find_walls(model, scheme, level);
-  const double tolerance = coincidence(model, walls, size);
-  Reference reference = reference_of(model, scheme, walls, level, tolerance, size, context);
+  auto view = best_view(model, scheme, size, context);
+  if (!view)
+    throw ImprintError(ImprintFailure::unreachable,
+                       "The columns of the sweep do not run along one direction.", {});
+  Walls& walls = view->walls;
+  Reference reference =
+      is_upright(walls, view->seen)
+          ? std::move(view->seen)
+          : slab_reference(model, scheme, walls, view->direction, view->seen, context);
   refuse_runaways(model, reference);
+  refuse_edges_on_end(reference);
   return {std::move(walls), std::move(reference)};
 }
 

@@ -37,7 +37,10 @@ class Overlayer {
       while (snap_nodes()) merge_pieces();
       merge_pieces();
       if (cut_stretches()) continue;
-      if (!cut_crossings()) return result();
+      if (cut_crossings()) continue;
+      join_pieces(graph_);
+      arranged_ = arrange_pieces(graph_);
+      return result();
     }
     throw SolverError("imprint", "Bringing near curves together did not come to an end.");
   }
@@ -330,8 +333,7 @@ class Overlayer {
   /// ends. True if any was cut.
   bool cut_crossings() {
     arranged_ = arrange_pieces(graph_);
-    for (std::size_t v = 0; v < arranged_.node.size(); ++v)
-      if (arranged_.node[v] < 0) arranged_.node[v] = add_node(arranged_.arrangement.vertices[v]);
+    name_crossings();
     std::map<int, std::map<double, int, std::greater<>>> cuts;  // piece -> position -> node
     for (const auto& edge : arranged_.arrangement.edges)
       for (const auto& use : edge.uses) {
@@ -345,10 +347,38 @@ class Overlayer {
     for (const auto& [p, places] : cuts) {
       // What is left of a piece keeps its arcs from the start, but not its positions.
       const Polyline line = graph_.pieces[p].points;
-      for (const auto& [position, node] : places)
-        cut_piece(p, at_position(line, position).arc, node);
+      int last = -1;
+      double last_arc = length(line);
+      for (const auto& [position, node] : places) {
+        const double arc = at_position(line, position).arc;
+        if (node == last && last_arc - arc <= reference_.coincidence) continue;
+        cut_piece(p, arc, node);
+        last = node;
+        last_arc = arc;
+      }
     }
     return !cuts.empty();
+  }
+
+  /// Gives each crossing a node. Crossings as good as at one place have the same, or that of an end
+  /// there: two nodes so near each other could not be brought together later.
+  void name_crossings() {
+    std::vector<std::vector<int>> beside(arranged_.node.size());
+    for (const auto& edge : arranged_.arrangement.edges) {
+      if (length(edge.points) > reference_.coincidence) continue;
+      beside[edge.start].push_back(edge.end);
+      beside[edge.end].push_back(edge.start);
+    }
+    const std::vector<int> ends = arranged_.node;
+    for (std::size_t v = 0; v < ends.size(); ++v)
+      for (const int other : beside[v])
+        if (ends[v] < 0 && ends[other] >= 0) arranged_.node[v] = ends[other];
+    for (std::size_t v = 0; v < ends.size(); ++v) {
+      if (arranged_.node[v] >= 0) continue;
+      arranged_.node[v] = add_node(arranged_.arrangement.vertices[v]);
+      for (const int other : beside[v])
+        if (arranged_.node[other] < 0) arranged_.node[other] = arranged_.node[v];
+    }
   }
 
   Overlay result() {

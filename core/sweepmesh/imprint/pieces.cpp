@@ -1,6 +1,7 @@
 #include "sweepmesh/imprint/pieces.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "sweepmesh/imprint/nearest_search.h"
 
@@ -30,6 +31,36 @@ double fraction_at(const PieceTrace& trace, double fraction, const std::vector<P
       return foot.arc / whole;
   }
   return fraction;
+}
+
+/// The piece walked so that it ends, or starts, in `node`.
+Piece walked(const Piece& piece, int node, bool ends_there) {
+  if ((ends_there ? piece.end : piece.start) == node) return piece;
+  Piece out{piece.end, piece.start, piece.points, {}};
+  std::reverse(out.points.begin(), out.points.end());
+  for (const PieceTrace& trace : piece.traces) out.traces.push_back(reversed(trace));
+  return out;
+}
+
+template <class T>
+void append_after_first(std::vector<T>& line, const std::vector<T>& more) {
+  line.insert(line.end(), more.begin() + 1, more.end());
+}
+
+/// Both as one, where each trace of `first` goes on in `second`.
+std::optional<Piece> joined(Piece first, const Piece& second) {
+  if (first.traces.size() != second.traces.size()) return {};
+  for (PieceTrace& trace : first.traces) {
+    const auto goes_on = std::ranges::find_if(second.traces, [&](const PieceTrace& other) {
+      return other.edge == trace.edge && other.t.front() == trace.t.back();
+    });
+    if (goes_on == second.traces.end()) return {};
+    append_after_first(trace.line, goes_on->line);
+    append_after_first(trace.t, goes_on->t);
+  }
+  append_after_first(first.points, second.points);
+  first.end = second.end;
+  return first;
 }
 
 }  // namespace
@@ -74,6 +105,23 @@ int split(PieceGraph& graph, int piece, double arc, int node, double coincidence
   graph.pieces[piece] = std::move(first);
   graph.pieces.push_back(std::move(second));
   return static_cast<int>(graph.pieces.size()) - 1;
+}
+
+void join_pieces(PieceGraph& graph) {
+  std::vector<std::vector<int>> at(graph.nodes.size());
+  for (int p = 0; p < static_cast<int>(graph.pieces.size()); ++p)
+    if (graph.is_alive(p))
+      for (const int n : {graph.pieces[p].start, graph.pieces[p].end}) at[n].push_back(p);
+  for (int n = 0; n < static_cast<int>(at.size()); ++n) {
+    if (!graph.nodes[n].cad.empty() || at[n].size() != 2 || at[n][0] == at[n][1]) continue;
+    const int kept = std::min(at[n][0], at[n][1]), gone = std::max(at[n][0], at[n][1]);
+    auto whole = joined(walked(graph.pieces[kept], n, true), walked(graph.pieces[gone], n, false));
+    if (!whole) continue;
+    graph.pieces[kept] = std::move(*whole);
+    graph.pieces[gone].traces.clear();
+    std::ranges::replace(at[graph.pieces[kept].end], gone, kept);
+    at[n].clear();
+  }
 }
 
 void absorb(PieceGraph& graph, int kept, int gone) {

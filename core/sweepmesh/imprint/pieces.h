@@ -48,6 +48,11 @@ std::pair<PieceTrace, PieceTrace> cut(const PieceTrace& trace, double fraction);
 /// is returned.
 int split(PieceGraph& graph, int piece, double arc, int node, double coincidence);
 
+/// Joins pieces that follow each other at nodes where nothing else ends and no CAD vertex is, each
+/// trace of the one going on in the other: such nodes are left over from bringing curves together,
+/// and would each be a corner of cells.
+void join_pieces(PieceGraph& graph);
+
 /// Gives piece `kept` the traces of `gone`, which has the same end nodes.
 void absorb(PieceGraph& graph, int kept, int gone);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sweepmesh {
 namespace {
@@ -21,8 +22,9 @@ void look_along(const Model& model, const Walls& walls, const Point3& direction,
                 Reference& reference) {
   for (const EdgeId e : walls.edges) {
     const auto [first, last] = model.range(e);
-    const Point3 origin = model.point(e, first);
-    const Point3 along = model.point(e, first + (last - first) / 3) - origin;
+    const Point3 origin = reference.straightened(model.point(e, first));
+    const Point3 third = reference.straightened(model.point(e, first + (last - first) / 3));
+    const Point3 along = third - origin;
     if (along.cross(direction).norm() > model.tolerances().point)
       return look_along(direction, origin, along, reference);
   }
@@ -119,6 +121,26 @@ std::vector<const ReferenceCurve*> by_edge(const Walls& walls, const Reference& 
   return curve;
 }
 
+Reference seen_along(const Model& model, const Walls& walls, const Point3& direction,
+                     std::shared_ptr<const SweepPath> path, double unit, double coincidence,
+                     const Context& context) {
+  constexpr int finer = 12;  // powers of two, than the coincidence
+  Reference reference;
+  reference.path = std::move(path);
+  look_along(model, walls, direction, reference);
+  reference.unit = unit;
+  reference.coincidence = coincidence;
+  reference.lattice = std::exp2(std::floor(std::log2(coincidence)) - finer);
+  for (const EdgeId e : walls.edges) {
+    context.check("imprint");
+    reference.curves.push_back(Sampler(model, e, reference, coincidence / 4).sample());
+  }
+  for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
+  for (const VertexId v : model.vertices())
+    reference.vertex[v.index] = reference.project(model.point(v));
+  return reference;
+}
+
 }  // namespace
 
 std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
@@ -150,20 +172,13 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
                               double unit, double coincidence, const Context& context) {
-  constexpr int finer = 12;  // powers of two, than the coincidence
-  Reference reference;
-  look_along(model, walls, direction, reference);
-  reference.unit = unit;
-  reference.coincidence = coincidence;
-  reference.lattice = std::exp2(std::floor(std::log2(coincidence)) - finer);
-  for (const EdgeId e : walls.edges) {
-    context.check("imprint");
-    reference.curves.push_back(Sampler(model, e, reference, coincidence / 4).sample());
-  }
-  for (int v = 0; v < model.n_vertices(); ++v) reference.vertex.push_back(Point2::Zero());
-  for (const VertexId v : model.vertices())
-    reference.vertex[v.index] = reference.project(model.point(v));
-  return reference;
+  return seen_along(model, walls, direction, nullptr, unit, coincidence, context);
+}
+
+Reference straightened_reference(const Model& model, const Walls& walls, const SweepPath& path,
+                                 double unit, double coincidence, const Context& context) {
+  return seen_along(model, walls, Point3::UnitZ(), std::make_shared<const SweepPath>(path), unit,
+                    coincidence, context);
 }
 
 bool is_upright(const Walls& walls, const Reference& seen, FaceId face) {

@@ -10,10 +10,12 @@
 // rounding.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "sweepmesh/base/context.h"
 #include "sweepmesh/imprint/polyline.h"
+#include "sweepmesh/imprint/sweep_path.h"
 #include "sweepmesh/imprint/walls.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/scheme/scheme.h"
@@ -28,12 +30,17 @@ struct ReferenceCurve {
 };
 
 struct Reference {
-  /// The view: coordinates across the direction, in units of the element size.
+  /// The view: coordinates across the direction, in units of the element size; of a sweep along a
+  /// path that turns, of the straightened solid, whose direction is the third axis.
   Point3 origin = Point3::Zero();
   Eigen::Matrix<double, 2, 3> axes = Eigen::Matrix<double, 2, 3>::Zero();
-  double unit = 1.0;     ///< the element size
-  double lattice = 0.0;  ///< coordinates are multiples of it
-  Point2 project(const Point3& p) const { return on_lattice(axes * (p - origin) / unit, lattice); }
+  double unit = 1.0;                      ///< the element size
+  double lattice = 0.0;                   ///< coordinates are multiples of it
+  std::shared_ptr<const SweepPath> path;  ///< straightens the solid before it is seen; may be none
+  Point3 straightened(const Point3& p) const { return path ? path->straightened(p) : p; }
+  Point2 project(const Point3& p) const {
+    return on_lattice(axes * (straightened(p) - origin) / unit, lattice);
+  }
 
   std::vector<ReferenceCurve> curves;
   std::vector<Point2> vertex;  ///< by VertexId; zero where no curve ends and no column passes
@@ -50,6 +57,9 @@ std::vector<Point3> common_directions(const Model& model, const Scheme& scheme,
 /// chord error of the curves (a quarter of it).
 Reference projected_reference(const Model& model, const Walls& walls, const Point3& direction,
                               double unit, double coincidence, const Context& context);
+/// The same of the solid that `path` straightens.
+Reference straightened_reference(const Model& model, const Walls& walls, const SweepPath& path,
+                                 double unit, double coincidence, const Context& context);
 
 /// Whether a linking face's lower and upper edges lie over each other, and the ends of its axial
 /// ones, or those of all linking faces do: then the projection is R.

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <map>
 
+#include "sweepmesh/imprint/axial_edges.h"
 #include "sweepmesh/imprint/imprint.h"
 #include "sweepmesh/imprint/reference.h"
 #include "sweepmesh/imprint/shell_carried.h"
 #include "sweepmesh/imprint/shell_cuts.h"
 #include "sweepmesh/imprint/sweep_levels.h"
+#include "sweepmesh/imprint/sweep_path.h"
+#include "sweepmesh/imprint/vector_area.h"
 #include "sweepmesh/surface/cap_boundary.h"
 
 namespace sweepmesh {
@@ -37,26 +40,6 @@ bool is_fanned_out(const Model& model, const Scheme& scheme, const Point3& direc
   });
 }
 
-/// The vector area of a face: normal to its mean plane, its length the area projected there.
-Point3 vector_area(const Model& model, FaceId face) {
-  constexpr int n_parts = 32;
-  const Point3 origin = model.point(face, model.uv_bounds(face).first);
-  Point3 doubled = Point3::Zero();
-  for (const Loop& loop : model.loops(face))
-    for (const Coedge& c : loop) {
-      if (!c.edge.is_valid() || c.seam) continue;
-      const auto [first, last] = model.range(c.edge);
-      const double sign = c.reversed ? -1.0 : 1.0;
-      Point3 before = model.point(c.edge, first) - origin;
-      for (int i = 1; i <= n_parts; ++i) {
-        const Point3 here = model.point(c.edge, first + (last - first) * i / n_parts) - origin;
-        doubled += sign * before.cross(here);
-        before = here;
-      }
-    }
-  return doubled / 2.0;
-}
-
 /// Whether some cap stands nearly on edge, seen along a direction: a wall's that turns aside.
 bool has_cap_on_edge(const Model& model, const Scheme& scheme, const Point3& direction) {
   constexpr double least_cosine = 0.5;  // 60 degrees
@@ -68,6 +51,15 @@ bool has_cap_on_edge(const Model& model, const Scheme& scheme, const Point3& dir
 /// Whether all sources lie at one level, and all targets at one below it.
 bool is_one_slab(const std::vector<int>& level) {
   return *std::ranges::max_element(level) == 1;
+}
+
+/// Whether all axial edges rise along a path that turns.
+bool has_common_path(const Model& model, const Scheme& scheme) {
+  const auto path = sweep_path(model, scheme);
+  return path && std::ranges::all_of(axial_edges(model, scheme), [&](const AxialEdge& e) {
+           return path->straightened(model.point(e.low)).z() <
+                  path->straightened(model.point(e.high)).z();
+         });
 }
 
 class Builder {
@@ -123,11 +115,17 @@ bool is_shell_like(const Model& model, const Scheme& scheme) {
     return has_seam(model, sources[0]) && has_seam(model, targets[0]);
   const std::vector<int> level = sweep_levels(model, scheme);
   const auto directions = common_directions(model, scheme, level);
-  if (directions.empty()) return true;
+  if (directions.empty())
+    return !has_common_path(model, scheme) || match_caps(model, scheme).has_value();
   const Point3& up = directions.front();
   const bool is_turned = is_fanned_out(model, scheme, up) ||
                          (is_one_slab(level) && has_cap_on_edge(model, scheme, up));
   return is_turned && match_caps(model, scheme).has_value();
+}
+
+bool may_be_shell(const Model& model, const Scheme& scheme) {
+  return !is_shell_like(model, scheme) || match_caps(model, scheme) ||
+         carried_shell(model, scheme);
 }
 
 Shell find_shell(const Model& model, const Scheme& scheme, const Context& context) {

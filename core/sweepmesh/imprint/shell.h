@@ -49,10 +49,15 @@ struct Shell {
   std::vector<ShellPatch> patches;
 };
 
-/// Whether a scheme asks for a shell: closed or banded caps, columns without a common direction,
+/// Whether a scheme asks for a shell: closed or banded caps, columns without a common direction
+/// or path,
 /// or, between caps that are divided alike, columns that fan out from it or caps that stand on edge
 /// seen along it (a sheet that is bent over).
 bool is_shell_like(const Model& model, const Scheme& scheme);
+
+/// Whether a scheme that asks for a shell has one: sources and targets are divided alike, or one side
+/// can be carried to the other. True where it asks for none. Cheap, beside an imprint.
+bool may_be_shell(const Model& model, const Scheme& scheme);
 
 /// The shell of a scheme. Throws ImprintError (unreachable) where sources and targets are divided
 /// differently, or a cap closes on itself in a way that no cut is known for.

@@ -175,7 +175,15 @@ class Matcher {
                    is_image_of_another(t.coedge.face, s.coedge.face, trial)))
       return false;
     const auto foot = feet_.find(s.coedge.start);
-    return foot == feet_.end() || foot->second == t.coedge.end || is_single(s);
+    return foot == feet_.end() || foot->second == t.coedge.end ||
+           (is_single(s) && !is_on_cap(foot->second));
+  }
+
+  bool is_on_cap(VertexId v) const {
+    const auto has = [v](const Side& side) {
+      return std::ranges::any_of(side.uses, [v](const Use& u) { return u.coedge.start == v; });
+    };
+    return has(source_) || has(target_);
   }
 
   static bool is_image_of_another(FaceId image, FaceId face, const Trial& trial) {
@@ -184,7 +192,7 @@ class Matcher {
     });
   }
 
-  /// A loop of one closed edge: its vertex may lie anywhere.
+  /// A loop of one closed edge: its vertex may lie anywhere, but over no other edge of a cap.
   bool is_single(const Use& u) const { return u.coedge.start == u.coedge.end; }
 
   static int n_loops(const Side& side, FaceId f) {

@@ -7,33 +7,13 @@
 
 #include "sweepmesh/base/disjoint_sets.h"
 #include "sweepmesh/base/errors.h"
+#include "sweepmesh/imprint/axial_edges.h"
 
 namespace sweepmesh {
 namespace {
 
 bool is_cap(FaceRole role) {
   return role == FaceRole::source || role == FaceRole::target;
-}
-
-struct AxialEdge {
-  VertexId low, high;
-};
-
-/// Axial edges of linking faces, each as often as a face uses it.
-std::vector<AxialEdge> axial_edges(const Model& model, const Scheme& scheme) {
-  std::vector<AxialEdge> out;
-  for (const FaceId f : model.faces()) {
-    if (scheme.face_role[f.index] != FaceRole::linking) continue;
-    const auto& loops = model.loops(f);
-    for (std::size_t l = 0; l < loops.size(); ++l)
-      for (std::size_t c = 0; c < loops[l].size(); ++c) {
-        const Direction d = scheme.face[f.index].direction[l][c];
-        const Coedge& e = loops[l][c];
-        if (d == Direction::plus_k) out.push_back({e.start, e.end});
-        if (d == Direction::minus_k) out.push_back({e.end, e.start});
-      }
-  }
-  return out;
 }
 
 /// Vertices that must lie on one level.
@@ -52,14 +32,14 @@ DisjointSets groups_of(const Model& model, const Scheme& scheme) {
 
 /// Mean height of each group's vertices.
 std::map<int, double> heights_of(const Model& model, DisjointSets& groups,
-                                 const std::vector<AxialEdge>& axial) {
+                                 const std::vector<AxialEdge>& axial, const SweepPath* path) {
   Point3 direction = Point3::Zero();
   for (const AxialEdge& a : axial) direction += model.point(a.high) - model.point(a.low);
   direction.normalize();
   std::map<int, std::pair<double, int>> sums;
   for (const VertexId v : model.vertices()) {
     auto& [sum, n] = sums[groups.root(v.index)];
-    sum += direction.dot(model.point(v));
+    sum += path ? path->straightened(model.point(v)).z() : direction.dot(model.point(v));
     ++n;
   }
   std::map<int, double> out;
@@ -69,10 +49,10 @@ std::map<int, double> heights_of(const Model& model, DisjointSets& groups,
 
 }  // namespace
 
-std::vector<int> sweep_levels(const Model& model, const Scheme& scheme) {
+std::vector<int> sweep_levels(const Model& model, const Scheme& scheme, const SweepPath* path) {
   const auto axial = axial_edges(model, scheme);
   DisjointSets groups = groups_of(model, scheme);
-  const auto height = heights_of(model, groups, axial);
+  const auto height = heights_of(model, groups, axial, path);
   std::map<int, std::set<int>> above;
   std::map<int, int> n_below;
   for (const AxialEdge& a : axial) {

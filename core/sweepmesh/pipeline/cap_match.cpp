@@ -6,6 +6,8 @@
 #include "sweepmesh/imprint/imprint_counts.h"
 #include "sweepmesh/imprint/shell_counts.h"
 #include "sweepmesh/intervals/assign_intervals.h"
+#include "sweepmesh/pipeline/shell_boundary.h"
+#include "sweepmesh/surface/linking_columns.h"
 #include "sweepmesh/surface/linking_edges.h"
 #include "sweepmesh/surface/linking_faces.h"
 
@@ -19,13 +21,16 @@ void refuse_crossed(const Intervals& intervals) {
                          {name}, {});
 }
 
-/// Throws what making the grids of the linking faces does.
+/// Throws what making the grids of the linking faces, and following their columns, does.
 void try_grids(const Model& model, const Scheme& scheme, const CapMatch& match,
                const PieceCounts& counts, const IntervalOptions& options, Context& context) {
+  if (const auto* shell = std::get_if<Shell>(&match))
+    return try_shell_walls(model, scheme, *shell, counts, options, context);
   SurfaceMesh surface;
   const EdgeNodes nodes = nodes_on_edges(model, scheme, match, counts, options);
   const EdgeMesh edges = mesh_edges(model, counts.intervals, nodes, surface);
   mesh_linking_faces(model, scheme, counts.intervals, edges, context, surface);
+  columns_from(surface);
 }
 
 }  // namespace

@@ -235,7 +235,7 @@ std::optional<DividedSweep> RoundDivision::to_sweep(Strain strain, Context& cont
 
 Assessment assess_or_divide(const Model& model, const Picks& picks, Context& context) {
   Assessment whole = assess_with_shape(model, picks, context);
-  const bool has_regular_schemes = whole.is_sweepable();
+  const std::vector<Scheme> regular = whole.schemes;
   if (is_free(picks)) refuse_without_layout(model, context, whole);
   if (whole.is_sweepable() || !may_be_divided(whole)) return whole;
   const SweepOptions options;
@@ -246,7 +246,7 @@ Assessment assess_or_divide(const Model& model, const Picks& picks, Context& con
     return of_whole(model, found->parts, found->assessment);
   };
   if (auto found = divided(Strain::refused)) return *found;
-  if (has_regular_schemes) return whole;  // poor angles do not mend what cannot be imprinted
+  if (!regular.empty()) whole.strained = schemes_beside(model, regular, context);
   accept_strained(model, options, context, whole);
   if (whole.is_sweepable()) return whole;
   return divided(Strain::accepted).value_or(whole);

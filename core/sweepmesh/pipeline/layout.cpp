@@ -1,6 +1,10 @@
 #include "sweepmesh/pipeline/layout.h"
 
+#include <algorithm>
+
+#include "sweepmesh/imprint/shell.h"
 #include "sweepmesh/pipeline/cap_match.h"
+#include "sweepmesh/scheme/ranking.h"
 
 namespace sweepmesh {
 namespace {
@@ -71,7 +75,7 @@ bool is_fault_of_layout(const Error& error) {
 }
 
 Assessment without_layout(Reason fault) {
-  fault.text += " Cut the solid there.";
+  fault.text += " No other choice of sources and targets that was tried can be laid out.";
   return {{}, {std::move(fault)}};
 }
 
@@ -86,13 +90,26 @@ void refuse_without_layout(const Model& model, Context& context, Assessment& ver
   verdict = without_layout(reason_of(model, verdict.schemes.front(), {}, context));
 }
 
+std::vector<Scheme> schemes_beside(const Model& model, const std::vector<Scheme>& tried,
+                                   Context& context) {
+  std::vector<Scheme> out = strained_schemes(model, context);
+  std::erase_if(out, [&](const Scheme& scheme) {
+    return std::ranges::any_of(
+        tried, [&](const Scheme& other) { return has_same_caps(scheme, other); });
+  });
+  return out;
+}
+
 void accept_strained(const Model& model, const SweepOptions& options, Context& context,
                      Assessment& verdict) {
   if (verdict.is_sweepable()) return;
-  const std::size_t n = std::min(kMostStrained, verdict.strained.size());
-  for (std::size_t s = 0; s < n && verdict.schemes.size() < kEnoughStrained; ++s)
-    if (!layout_fault(model, verdict.strained[s], options, context, true))
-      verdict.schemes.push_back(verdict.strained[s]);
+  std::size_t n_tried = 0;
+  for (const Scheme& scheme : verdict.strained) {
+    if (n_tried == kMostStrained || verdict.schemes.size() == kEnoughStrained) break;
+    if (!may_be_shell(model, scheme)) continue;
+    ++n_tried;
+    if (!layout_fault(model, scheme, options, context, true)) verdict.schemes.push_back(scheme);
+  }
   if (verdict.is_sweepable()) verdict.reasons.clear();
 }
 

@@ -63,8 +63,14 @@ bool is_free(const Picks& picks);
 
 inline constexpr std::size_t kMostStrained = 6, kEnoughStrained = 3;
 
+/// Of a solid without picks none of whose regular schemes can be laid out: schemes of poorer angles
+/// with other caps than `tried`, for accept_strained. Cost: that of a search.
+std::vector<Scheme> schemes_beside(const Model& model, const std::vector<Scheme>& tried,
+                                   Context& context);
+
 /// Makes a verdict sweepable by those of its strained schemes that can be laid out: `kMostStrained`
-/// are tried in their order until `kEnoughStrained` are found. Nothing changes where none can be,
+/// are tried in their order until `kEnoughStrained` are found; those that ask for a shell and cannot
+/// have one, which is seen at once, are passed over. Nothing changes where none can be,
 /// or where it is sweepable.
 void accept_strained(const Model& model, const SweepOptions& options, Context& context,
                      Assessment& verdict);

@@ -115,13 +115,9 @@ std::optional<SweepPlan> plan_of_divided(const Model& model, RoundDivision& divi
   return of_whole(model, divided->parts, plan);
 }
 
-/// As assess_or_divide goes.
-SweepPlan plan_of_unsweepable(const Model& model, const Picks& picks, const SweepOptions& options,
-                              Context& context, SweepPlan plan) {
-  if (!may_be_divided(plan.assessment)) return plan;
-  RoundDivision division(model, picks, options);
-  if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
-    return *divided;
+/// With schemes of poor angles that can be laid out, of the solid as it is or divided.
+SweepPlan plan_of_strained(const Model& model, RoundDivision& division, const SweepOptions& options,
+                           Context& context, SweepPlan plan) {
   accept_strained(model, options, context, plan.assessment);
   if (plan.assessment.is_sweepable()) {
     fill(model, options, context, plan);
@@ -129,6 +125,16 @@ SweepPlan plan_of_unsweepable(const Model& model, const Picks& picks, const Swee
   }
   auto divided = plan_of_divided(model, division, Strain::accepted, plan.size, context);
   return divided ? *divided : plan;
+}
+
+/// As assess_or_divide goes.
+SweepPlan plan_of_unsweepable(const Model& model, const Picks& picks, const SweepOptions& options,
+                              Context& context, SweepPlan plan) {
+  if (!may_be_divided(plan.assessment)) return plan;
+  RoundDivision division(model, picks, options);
+  if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
+    return *divided;
+  return plan_of_strained(model, division, options, context, std::move(plan));
 }
 
 }  // namespace
@@ -153,10 +159,10 @@ SweepPlan plan_sweep(const Model& model, const Picks& picks, const SweepOptions&
     if (auto divided = plan_of_divided(model, division, Strain::refused, plan.size, context))
       return *divided;
     if (!is_free(picks) || !is_fault_of_layout(error)) throw;
-    SweepPlan refused;
-    refused.size = plan.size;
-    refused.assessment = without_layout(error);
-    return refused;
+    const std::vector<Scheme> regular = std::move(plan.assessment.schemes);
+    plan.assessment = without_layout(error);
+    plan.assessment.strained = schemes_beside(model, regular, context);
+    return plan_of_strained(model, division, options, context, std::move(plan));
   }
 }
 

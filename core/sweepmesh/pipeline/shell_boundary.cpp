@@ -69,7 +69,8 @@ class ShellMesher {
         kind_(kind),
         context_(context) {}
 
-  BoundaryMesh run() {
+  /// All but the caps. Throws where columns lead astray.
+  void mesh_walls() {
     edges_ = mesh_edges(model_, counts_.intervals,
                         place_edge_nodes(model_, counts_.intervals, options_), out_.surface);
     mesh_linking_faces(model_, scheme_, counts_.intervals, edges_, context_, out_.surface);
@@ -78,6 +79,10 @@ class ShellMesher {
     nodes_.resize(shell_.edges.size());
     vertex_.resize(shell_.n_vertices);
     for (std::size_t e = 0; e < shell_.edges.size(); ++e) add_cad_edge(e);
+  }
+
+  BoundaryMesh run() {
+    mesh_walls();
     for (std::size_t e = 0; e < shell_.edges.size(); ++e)
       for (const bool is_high : {true, false}) add_curve(e, is_high);
     for (const ShellPatch& p : shell_.patches) add_patch(p);
@@ -266,6 +271,11 @@ class ShellMesher {
 };
 
 }  // namespace
+
+void try_shell_walls(const Model& model, const Scheme& scheme, const Shell& shell,
+                     const PieceCounts& counts, const IntervalOptions& options, Context& context) {
+  ShellMesher(model, scheme, shell, counts, options, CellKind::quad, context).mesh_walls();
+}
 
 BoundaryMesh mesh_shell_boundary(const Model& model, const Scheme& scheme, const Shell& shell,
                                  const PieceCounts& counts, const IntervalOptions& options,

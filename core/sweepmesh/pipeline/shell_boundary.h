@@ -16,4 +16,9 @@ BoundaryMesh mesh_shell_boundary(const Model& model, const Scheme& scheme, const
                                  const PieceCounts& counts, const IntervalOptions& options,
                                  CellKind kind, Context& context);
 
+/// Its first steps alone, for what they throw: all that fails without regard to the caps' meshes.
+/// Cost: the grids of the linking faces.
+void try_shell_walls(const Model& model, const Scheme& scheme, const Shell& shell,
+                     const PieceCounts& counts, const IntervalOptions& options, Context& context);
+
 }  // namespace sweepmesh

@@ -123,8 +123,12 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
     result.warnings.clear();
     if (divided(Strain::refused)) return true;
     if (!is_free(picks) || !is_fault_of_layout(error)) throw;
+    const std::vector<Scheme> regular = std::move(result.assessment.schemes);
     result.assessment = without_layout(error);
-    return false;
+    result.assessment.strained = clock.run("assess", [&] {
+      return schemes_beside(model, regular, context);
+    });
+    return mesh_strained(model, options, clock, context, result) || divided(Strain::accepted);
   }
 }
 

@@ -71,6 +71,12 @@ class Assessor {
     return out;
   }
 
+  std::vector<Scheme> strained() {
+    if (!reasons_in_boundary(problem_).empty()) return {};
+    const Network lenient = make_network(problem_, lenient_limits());
+    return strained(lenient, graded_search(lenient, {}, budget_, context_).divisions);
+  }
+
  private:
   Assessment judge() {
     for (const auto& [id, states] : asked_) index_of(problem_, id);
@@ -279,6 +285,11 @@ class Assessor {
 
 Assessment assess(const Model& model, const Picks& picks, Context& context) {
   return Assessor(model, picks, context).assess();
+}
+
+std::vector<Scheme> strained_schemes(const Model& model, Context& context) {
+  const Picks none;
+  return Assessor(model, none, context).strained();
 }
 
 std::variant<Scheme, std::vector<Reason>> solve_scheme(const Model& model,

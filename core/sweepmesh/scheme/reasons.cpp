@@ -207,7 +207,7 @@ Reason angle_reason(const Network& network, const Division& division) {
           joined(faces_with(network, division.choices, kTargetStates)) + " to " +
           joined(faces_with(network, division.choices, kSourceStates)) +
           " only with layers forced over angles that are too far from what the sweep needs, at " +
-          joined(texts) + ". Cut the solid there.",
+          joined(texts) + ".",
       entities};
 }
 

@@ -93,18 +93,42 @@ struct Subtracted {
   }
 };
 
+/// Columns that are found from one of them.
+struct Neighbours {
+  const float* own;
+  const int* step;
+
+  [[gnu::always_inline]] const float* operator[](int j) const { return own + 3L * step[j]; }
+};
+
+/// Masses of the springs of one column.
+struct Masses {
+  float lower, upper, across, below, above;
+
+  Masses(const ColumnSprings& s, int column) {
+    const auto of = [column](const float* all) { return all ? all[column] : 0.0f; };
+    lower = of(s.lower);
+    upper = of(s.upper);
+    across = of(s.across);
+    below = of(s.below);
+    above = of(s.above);
+  }
+};
+
 /// A x at some places, given the sum over the base row there.
 struct Product {
-  ColumnProduct c;
+  const ColumnSprings& c;
+  const Masses& mass;
+  const float* x;
   float* y;
 
   template <class T, class At>
   [[gnu::always_inline]] T value(long i, const T& sum, At&& at) const {
     const T up = at(c.up + i), down = at(c.down + i);
-    const T diagonal = c.lower * up + c.upper * down + c.above * at(c.up_beyond + i) +
-                       c.below * at(c.down_beyond + i);
-    return at(c.share + i) * sum + diagonal * at(c.x + i) -
-           c.across * (down * at(c.x + i - 3) + up * at(c.x + i + 3));
+    const T diagonal = mass.lower * up + mass.upper * down + mass.above * at(c.up_beyond + i) +
+                       mass.below * at(c.down_beyond + i);
+    return at(c.share + i) * sum + diagonal * at(x + i) -
+           mass.across * (down * at(x + i - 3) + up * at(x + i + 3));
   }
   [[gnu::always_inline]] float at(long i, float sum) const {
     return value(i, sum, [](const float* p) { return *p; });
@@ -240,9 +264,14 @@ SWEEPMESH_WIDE void subtract_weighted_sum(float* y, const float* b, const float*
   sum_streams(x, a, m, n, Subtracted{y, b, s});
 }
 
-SWEEPMESH_WIDE void subtract_weighted_sum(float* y, const float* b, const Neighbours& x,
-                                          const float* a, int m, const float* s, long n) {
-  sum_streams(Neighbours(x), a, m, n, Subtracted{y, b, s});
+SWEEPMESH_WIDE void subtract_others(const ColumnRows& rows, const float* b, const float* x,
+                                    const float* share, float* y) {
+  const ColumnRows r = rows;
+  for (int c = 0; c < r.n_columns; ++c) {
+    const int first = r.row_begin[c] + 1;
+    sum_streams(Neighbours{x + c * r.n, r.step + first}, r.weight + first,
+                r.row_begin[c + 1] - first, r.n, Subtracted{y + c * r.n, b + c * r.n, share});
+  }
 }
 
 SWEEPMESH_WIDE void add_scaled(float* __restrict y, const float* __restrict x, float a, long n) {
@@ -258,12 +287,20 @@ SWEEPMESH_WIDE double dot(const float* x, const float* y, long n) {
   return inner_product(x, y, n);
 }
 
-SWEEPMESH_WIDE void multiply(const ColumnProduct& column, const float* b, float* y, long n) {
-  if (b)
-    sum_streams(column.neighbours, column.weight, column.n_neighbours, n,
-                ProductRest{{column, y}, b});
-  else
-    sum_streams(column.neighbours, column.weight, column.n_neighbours, n, Product{column, y});
+SWEEPMESH_WIDE void multiply(const ColumnRows& rows, const ColumnSprings& springs, const float* b,
+                             const float* x, float* y) {
+  const ColumnRows r = rows;
+  const ColumnSprings s = springs;
+  for (int c = 0; c < r.n_columns; ++c) {
+    const int first = r.row_begin[c], m = r.row_begin[c + 1] - first;
+    const Neighbours all = {x + c * r.n, r.step + first};
+    const Masses masses(s, c);
+    const Product product = {s, masses, x + c * r.n, y + c * r.n};
+    if (b)
+      sum_streams(all, r.weight + first, m, r.n, ProductRest{product, b + c * r.n});
+    else
+      sum_streams(all, r.weight + first, m, r.n, product);
+  }
 }
 
 SWEEPMESH_WIDE void solve_columns(const ColumnSystems& systems, int n_columns, float alpha,

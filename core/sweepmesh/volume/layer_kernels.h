@@ -16,31 +16,36 @@ void weighted_sum(float* y, const float* const* x, const float* a, int m, const 
 void subtract_weighted_sum(float* y, const float* b, const float* const* x, const float* a, int m,
                            const float* s, long n);
 
-/// Columns that are found from one of them, by steps of three floats.
-struct Neighbours {
-  const float* own;
-  const int* step;
-
-  const float* operator[](int j) const { return own + 3L * step[j]; }
-};
-void subtract_weighted_sum(float* y, const float* b, const Neighbours& x, const float* a, int m,
-                           const float* s, long n);
-
-/// One column's share of A x. Arrays over levels hold everything three times.
-struct ColumnProduct {
-  const float* x;         ///< the column's own; may be read three floats beyond its ends
-  Neighbours neighbours;  ///< all that its base row has, itself too; `n_neighbours` of them
+/// Columns of one length, one behind the other in every vector, with a row of a base matrix each.
+/// Column i of them has the entries row_begin[i] .. row_begin[i + 1] - 1 of `step` and `weight`,
+/// the diagonal first: to a column that stands step[e] times three floats from it.
+struct ColumnRows {
+  int n_columns;
+  long n;  ///< floats of a column
+  const int *row_begin, *step;
   const float* weight;
-  int n_neighbours;
+};
+
+/// y = b - O x, with O the rows without their diagonals, every level times its share. y is neither
+/// b nor x.
+void subtract_others(const ColumnRows& rows, const float* b, const float* x, const float* share,
+                     float* y);
+
+/// What stands on the diagonal of A, and beside it within columns. Arrays over levels hold
+/// everything three times.
+struct ColumnSprings {
   const float* share;
   const float *up, *down;                ///< springs to the next node of the column; 0 at its ends
   const float *up_beyond, *down_beyond;  ///< springs from its ends to what is fixed; 0 elsewhere
-  float lower, upper, across;            ///< masses of the springs `up`, `down`, and of both
-  float below, above;                    ///< masses of those beyond
+  /// Per column, null for zero: masses of the springs `up`, `down`, and of both.
+  const float *lower, *upper, *across;
+  const float *below, *above;  ///< per column, null for zero: masses of those beyond
 };
 
-/// y = A x, or b - A x where there is a b. `n` floats; y is no other vector.
-void multiply(const ColumnProduct& column, const float* b, float* y, long n);
+/// y = A x, or b - A x where there is a b. y is no other vector; x may be read three floats beyond
+/// the ends of the columns.
+void multiply(const ColumnRows& rows, const ColumnSprings& springs, const float* b, const float* x,
+              float* y);
 
 /// Columns that are best solved at a time: one alone would wait for its own last result at every
 /// step.

@@ -58,6 +58,7 @@ LayeredColumns::LayeredColumns(const LayeredSystem& system, ThreadTeam& team)
   make_chunks();
   find_reach();
   find_whole();
+  find_runs();
   find_steps();
   factor();
   find_radius();
@@ -107,6 +108,17 @@ void LayeredColumns::find_whole() {
     for (int t = 0; t < s_.n_bands(); ++t)
       if (s_.band_begin[t] == s_.low[c] && s_.band_begin[t + 1] == s_.high[c] + 1)
         whole_band_[c] = t;
+  });
+}
+
+void LayeredColumns::find_runs() {
+  run_end_.resize(s_.n_columns());
+  team_.for_chunks(n_chunks(), 1, [&](long chunk, long, long) {
+    const int end = chunk_[chunk + 1];
+    for (int c = end - 1; c >= chunk_[chunk]; --c) {
+      const bool goes_on = c + 1 < end && is_whole(c) && whole_band_[c] == whole_band_[c + 1];
+      run_end_[c] = goes_on ? run_end_[c + 1] : c + 1;
+    }
   });
 }
 
@@ -171,28 +183,25 @@ void LayeredColumns::find_radius() {
   radius_ = *std::max_element(radius.begin(), radius.end());
 }
 
-void LayeredColumns::multiply_whole(const float* x, int column, const float* b, float* y) const {
-  const int t = whole_band_[column], low = s_.low[column];
-  const auto mass = [&](int v, const Floats LayerClass::*which) {
-    if (v < 0 || (s_.layers[v].*which).empty()) return 0.0f;
-    return (s_.layers[v].*which)[column];
+void LayeredColumns::multiply_run(int first, int end, const float* b, const float* x,
+                                  float* y) const {
+  const int t = whole_band_[first], low = s_.low[first];
+  const auto mass = [&](int v, const Floats LayerClass::*which) -> const float* {
+    if (v < 0 || (s_.layers[v].*which).empty()) return nullptr;
+    return (s_.layers[v].*which).data() + first;
   };
-  kernels::ColumnProduct c;
-  c.x = s_.at(x, column, low);
-  c.neighbours = neighbours(x, column);
-  c.n_neighbours = n_neighbours(column);
-  c.weight = weight_.data() + row_begin_[column];
-  c.share = s_.share.data() + 3L * low;
-  c.up = up_.data() + 3L * low;
-  c.down = down_.data() + 3L * low;
-  c.up_beyond = up_beyond_.data() + 3L * low;
-  c.down_beyond = down_beyond_.data() + 3L * low;
-  c.lower = mass(2 * t, &LayerClass::lower);
-  c.upper = mass(2 * t, &LayerClass::upper);
-  c.across = mass(2 * t, &LayerClass::across);
-  c.below = mass(2 * t - 1, &LayerClass::upper);
-  c.above = mass(2 * t + 1, &LayerClass::lower);
-  kernels::multiply(c, b, y, length(column));
+  const long level = 3L * low, at = s_.offset[first];
+  const kernels::ColumnSprings springs = {s_.share.data() + level,
+                                          up_.data() + level,
+                                          down_.data() + level,
+                                          up_beyond_.data() + level,
+                                          down_beyond_.data() + level,
+                                          mass(2 * t, &LayerClass::lower),
+                                          mass(2 * t, &LayerClass::upper),
+                                          mass(2 * t, &LayerClass::across),
+                                          mass(2 * t - 1, &LayerClass::upper),
+                                          mass(2 * t + 1, &LayerClass::lower)};
+  kernels::multiply(rows(first, end - first), springs, b ? b + at : nullptr, x + at, y + at);
 }
 
 void LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, float* y) const {
@@ -219,13 +228,23 @@ void LayeredColumns::multiply_any(const float* x, int column, Scratch& scratch, 
   });
 }
 
-double LayeredColumns::multiply(int chunk, const Floats& x, Floats& y) const {
+void LayeredColumns::multiply(int chunk, const float* b, const float* x, float* y) const {
   thread_local Scratch scratch;
-  for_columns(chunk, [&](int c) {
-    float* out = y.data() + s_.offset[c];
-    is_whole(c) ? multiply_whole(x.data(), c, nullptr, out)
-                : multiply_any(x.data(), c, scratch, out);
-  });
+  for (int c = chunk_[chunk], next = c; c < chunk_[chunk + 1]; c = next) {
+    next = run_end_[c];
+    if (length(c) == 0) continue;
+    if (is_whole(c)) {
+      multiply_run(c, next, b, x, y);
+      continue;
+    }
+    float* out = y + s_.offset[c];
+    multiply_any(x, c, scratch, out);
+    if (b) kernels::combine(out, b + s_.offset[c], -1.0f, 1.0f, length(c));
+  }
+}
+
+double LayeredColumns::multiply(int chunk, const Floats& x, Floats& y) const {
+  multiply(chunk, nullptr, x.data(), y.data());
   return dot(chunk, x, y);
 }
 
@@ -245,31 +264,12 @@ void LayeredColumns::add_stage(std::function<void(int)> work,
 
 void LayeredColumns::add_residual(const Floats& b, const Floats& x, Floats& r,
                                   std::vector<ChunkStage>& stages) const {
-  const auto work = [this, &b, &x, &r](int chunk) {
-    thread_local Scratch scratch;
-    for_columns(chunk, [&](int c) {
-      const float* right = b.data() + s_.offset[c];
-      float* out = r.data() + s_.offset[c];
-      if (is_whole(c)) {
-        multiply_whole(x.data(), c, right, out);
-      } else {
-        multiply_any(x.data(), c, scratch, out);
-        kernels::combine(out, right, -1.0f, 1.0f, length(c));
-      }
-    });
-  };
-  add_stage(work, stages);
+  add_stage([this, &b, &x, &r](int chunk) { multiply(chunk, b.data(), x.data(), r.data()); },
+            stages);
 }
 
 void LayeredColumns::right_of(const float* b, const float* y, int column, Scratch& scratch,
                               float* out) const {
-  if (is_whole(column)) {
-    kernels::Neighbours others = neighbours(y, column);
-    ++others.step;  // but the diagonal
-    return kernels::subtract_weighted_sum(out, b, others, weight_.data() + row_begin_[column] + 1,
-                                          n_neighbours(column) - 1,
-                                          s_.share.data() + 3L * s_.low[column], length(column));
-  }
   std::copy_n(b, length(column), out);
   for_free_bands(s_, column, [&](const BaseRows& rows, int first, int last) {
     const BaseMatrix::Row all = rows.matrix.row(column),
@@ -290,6 +290,7 @@ void LayeredColumns::couplings_of(int column, float* out) const {
 }
 
 bool LayeredColumns::are_alike(int first, int n) const {
+  if (is_whole(first) && first + n <= run_end_[first]) return true;
   for (int c = first + 1; c < first + n; ++c)
     if (s_.low[c] != s_.low[first] || s_.high[c] != s_.high[first]) return false;
   return true;
@@ -300,12 +301,12 @@ void LayeredColumns::step_columns(const Floats& b, const Floats* y, const Mix& m
   constexpr float one[kernels::n_abreast] = {1.0f, 1.0f, 1.0f, 1.0f};
   const long each = length(first), at = s_.offset[first];
   scratch.fit(each);
-  bool are_whole = true;
-  for (int i = 0; i < n; ++i) {
-    are_whole = are_whole && is_whole(first + i);
-    if (y)
-      right_of(b.data() + at + i * each, y->data(), first + i, scratch, scratch.right + i * each);
-  }
+  const bool are_whole = is_whole(first) && first + n <= run_end_[first];
+  if (y && are_whole)
+    kernels::subtract_others(rows(first, n), b.data() + at, y->data() + at,
+                             s_.share.data() + 3L * s_.low[first], scratch.right);
+  for (int i = 0; i < n && y && !are_whole; ++i)
+    right_of(b.data() + at + i * each, y->data(), first + i, scratch, scratch.right + i * each);
   kernels::ColumnSystems systems = {
       y ? scratch.right : b.data() + at, pivot_.data() + at / 3, nullptr, 0, one, each / 3};
   if (are_whole && each > 3) {

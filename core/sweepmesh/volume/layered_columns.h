@@ -36,6 +36,12 @@ class LayeredColumns {
   /// How many chunks hold the columns before `column`.
   int chunks_before(int column) const;
 
+  /// The floats of a chunk: the first, and how many. They are those of its columns and no others.
+  std::pair<long, long> range(int chunk) const {
+    const long begin = s_.offset[chunk_[chunk]];
+    return {begin, s_.offset[chunk_[chunk + 1]] - begin};
+  }
+
   /// Calls f(column) for the columns of a chunk that hold something.
   template <class F>
   void for_columns(int chunk, F&& f) const {
@@ -81,6 +87,7 @@ class LayeredColumns {
   void set_springs();
   void find_reach();
   void find_whole();
+  void find_runs();
   void find_steps();
   void factor();
   void find_radius();
@@ -89,21 +96,22 @@ class LayeredColumns {
   /// The same for columns first .. first + n - 1, which are one or all alike.
   void step_columns(const Floats& b, const Floats* y, const Mix& mix, int first, int n,
                     Scratch& scratch, Floats& result) const;
-  /// A column's neighbours at its first level, itself first.
-  kernels::Neighbours neighbours(const float* x, int column) const {
-    return {x + s_.offset[column], step_.data() + row_begin_[column]};
+  /// Rows of `n` columns from `first` on, of one run.
+  kernels::ColumnRows rows(int first, int n) const {
+    return {n, length(first), row_begin_.data() + first, step_.data(), weight_.data()};
   }
-  int n_neighbours(int column) const { return row_begin_[column + 1] - row_begin_[column]; }
   /// out = b - O y for one column.
   void right_of(const float* b, const float* y, int column, Scratch& scratch, float* out) const;
   /// x . y over the columns of a chunk.
   double dot(int chunk, const Floats& x, const Floats& y) const;
-  /// A column's y = A x, or b - A x if there is a b.
-  void multiply_whole(const float* x, int column, const float* b, float* y) const;
+  /// y = A x, or b - A x if there is a b, for the columns of a chunk.
+  void multiply(int chunk, const float* b, const float* x, float* y) const;
+  /// The same for columns first .. end - 1, of one run.
+  void multiply_run(int first, int end, const float* b, const float* x, float* y) const;
   void multiply_any(const float* x, int column, Scratch& scratch, float* y) const;
   /// Couplings of the layers inside a column's hull.
   void couplings_of(int column, float* out) const;
-  /// Whether columns have the same hull.
+  /// Whether columns first .. first + n - 1 have the same hull.
   bool are_alike(int first, int n) const;
 
   const LayeredSystem& s_;
@@ -111,6 +119,8 @@ class LayeredColumns {
   std::vector<int> chunk_;  ///< first column of every chunk, and the end
   std::vector<int> reach_;
   std::vector<int> whole_band_;  ///< per column: the band that is its hull, or -1
+  /// Per column: where the run of columns ends that are whole in the same band, within its chunk.
+  std::vector<int> run_end_;
   /// Rows of the columns that are whole in that band, the diagonal first: steps in nodes.
   std::vector<int> row_begin_;
   Ints step_;

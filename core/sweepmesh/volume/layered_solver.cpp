@@ -32,10 +32,17 @@ class Multigrid {
   const LayeredColumns& finest() const { return *levels_.front(); }
   int n_levels() const { return static_cast<int>(levels_.size()); }
 
-  /// x = one V-cycle for the right-hand side b, from zero; w is work space. Returns b . x.
-  double cycle(const Floats& b, Floats& x, Floats& w, const Context& context) {
+  /// b -= alpha w, then x = one V-cycle for the right-hand side b, from zero; w is work space.
+  /// Returns b . x.
+  double cycle(float alpha, Floats& b, Floats& x, Floats& w, const Context& context) {
     std::vector<double> dots(finest().n_chunks());
-    cycle(0, b, x, w, dots.data(), context);
+    std::vector<ChunkStage> first;
+    if (alpha != 0.0f)
+      first.push_back({finest().n_chunks(), nullptr, [&](int chunk) {
+                         const auto [begin, n] = finest().range(chunk);
+                         kernels::add_scaled(b.data() + begin, w.data() + begin, -alpha, n);
+                       }});
+    cycle(0, b, x, w, dots.data(), std::move(first), context);
     return std::accumulate(dots.begin(), dots.end(), 0.0);
   }
 
@@ -44,7 +51,7 @@ class Multigrid {
   struct Vectors {
     Floats right, solution, work;
     explicit Vectors(const LayeredSystem& s)
-        : right(s.make_vector()), solution(s.make_vector()), work(s.make_vector()) {}
+        : right(make_vector(s)), solution(make_vector(s)), work(make_vector(s)) {}
   };
 
   static int n_empty(const LayeredSystem& system) {
@@ -53,10 +60,11 @@ class Multigrid {
     return n;
   }
 
-  void cycle(int l, const Floats& b, Floats& x, Floats& w, double* dots, const Context& context) {
+  /// The cycle from level `l` on; `stages` are done before, with it.
+  void cycle(int l, const Floats& b, Floats& x, Floats& w, double* dots,
+             std::vector<ChunkStage> stages, const Context& context) {
     context.check("place");
     const LayeredColumns& level = *levels_[l];
-    std::vector<ChunkStage> stages;
     if (l + 1 == n_levels()) {
       level.add_smoother_from_zero(b, x, w, stages);
       level.add_smoother(b, x, w, nullptr, stages);
@@ -69,7 +77,7 @@ class Multigrid {
     stages.push_back({levels_[l + 1]->n_chunks(), &reach_down_[l],
                       [&, l](int chunk) { restrict_to(l, chunk, x, v.right); }});
     run_stages(stages, team_);
-    cycle(l + 1, v.right, v.solution, v.work, nullptr, context);
+    cycle(l + 1, v.right, v.solution, v.work, nullptr, {}, context);
     context.check("place");
     stages.assign(
         1, {level.n_chunks(), nullptr, [&, l](int chunk) { prolong(l, chunk, v.solution, w, x); }});
@@ -143,38 +151,74 @@ class Multigrid {
   std::vector<Vectors> vectors_;  ///< of level l + 1
 };
 
-/// y = x + a y, and y = x where a is 0, of whatever y is.
-void add_to(const LayeredColumns& level, int chunk, const Floats& x, float a, Floats& y) {
-  level.for_columns(chunk, [&](int c) {
-    const long begin = level.system().offset[c], n = level.length(c);
-    if (a == 0.0f)
-      std::copy_n(x.data() + begin, n, y.data() + begin);
+/// Conjugate gradients for A x = r. The solution and the residual follow a step later, when p and
+/// A p are read anyway.
+class Steps {
+ public:
+  /// `r` is spoiled.
+  Steps(const LayeredSystem& s, Multigrid& multigrid, Floats& r, ThreadTeam& team)
+      : system_(s), multigrid_(multigrid), level_(multigrid.finest()), team_(team), r_(r) {
+    for (Floats* v : {&z_, &p_, &w_}) *v = make_vector(s);
+  }
+
+  /// z = one V-cycle for the residual. Returns r . z.
+  double precondition(const Context& context) {
+    return multigrid_.cycle(alpha_, r_, z_, w_, context);
+  }
+
+  /// p = z + a p (z the first time), w = A p, then a step along p to where r . z was `rz`.
+  void step(float a, double rz) {
+    std::vector<ChunkStage> stages;
+    if (n_steps_ == 0)
+      std::swap(p_, z_);
     else
-      kernels::combine(y.data() + begin, x.data() + begin, a, 1.0f, n);
-  });
-}
+      stages.push_back({level_.n_chunks(), nullptr, [&](int chunk) { turn(chunk, a); }});
+    if (n_steps_ == 1) x_ = make_vector(system_);
+    std::vector<double> dots(level_.n_chunks());
+    stages.push_back({level_.n_chunks(), &level_.reach(),
+                      [&](int chunk) { dots[chunk] = level_.multiply(chunk, p_, w_); }});
+    run_stages(stages, team_);
+    alpha_ = static_cast<float>(rz / std::accumulate(dots.begin(), dots.end(), 0.0));
+    ++n_steps_;
+  }
 
-/// p = z + a p, q = A p; returns p . q.
-double next_direction(const LayeredColumns& level, const Floats& z, float a, Floats& p, Floats& q,
-                      ThreadTeam& team) {
-  std::vector<double> dots(level.n_chunks());
-  run_stages({{level.n_chunks(), nullptr, [&](int chunk) { add_to(level, chunk, z, a, p); }},
-              {level.n_chunks(), &level.reach(),
-               [&](int chunk) { dots[chunk] = level.multiply(chunk, p, q); }}},
-             team);
-  return std::accumulate(dots.begin(), dots.end(), 0.0);
-}
+  /// The solution with z added.
+  Floats finish() {
+    if (n_steps_ > 0)
+      team_.for_chunks(level_.n_chunks(), 1, [&](long chunk, long, long) {
+        const auto [begin, n] = level_.range(static_cast<int>(chunk));
+        const float* p = p_.data() + begin;
+        float* z = z_.data() + begin;
+        if (n_steps_ == 1) return kernels::add_scaled(z, p, alpha_, n);
+        float* x = x_.data() + begin;
+        kernels::add_scaled(x, p, alpha_, n);
+        kernels::add_scaled(x, z, 1.0f, n);
+      });
+    return std::move(n_steps_ > 1 ? x_ : z_);
+  }
 
-/// x += alpha p (x = alpha p if it is the first), r -= alpha q.
-void update_solution(const LayeredColumns& level, const Floats& p, const Floats& q, float alpha,
-                     bool is_first, Floats& x, Floats& r) {
-  level.for_columns([&](int c) {
-    const long begin = level.system().offset[c], n = level.length(c);
-    if (is_first) std::fill_n(x.data() + begin, n, 0.0f);
-    kernels::add_scaled(x.data() + begin, p.data() + begin, alpha, n);
-    kernels::add_scaled(r.data() + begin, q.data() + begin, -alpha, n);
-  });
-}
+ private:
+  /// x += alpha p for the last step (x = alpha p if it was the first), p = z + a p.
+  void turn(int chunk, float a) {
+    const auto [begin, n] = level_.range(chunk);
+    float *x = x_.data() + begin, *p = p_.data() + begin;
+    const float* along[] = {p};
+    if (n_steps_ == 1)
+      kernels::sum_scaled(x, nullptr, along, &alpha_, 1, n);
+    else
+      kernels::add_scaled(x, p, alpha_, n);
+    kernels::combine(p, z_.data() + begin, a, 1.0f, n);
+  }
+
+  const LayeredSystem& system_;
+  Multigrid& multigrid_;
+  const LayeredColumns& level_;
+  ThreadTeam& team_;
+  Floats& r_;
+  Floats x_, z_, p_, w_;
+  float alpha_ = 0.0f;  ///< length of the last step, which x and r do not contain yet
+  int n_steps_ = 0;
+};
 
 /// Bound of the factor by which one V-cycle alone reduces the error, when conjugate gradients with
 /// it reduce it by `rate`: of a spectrum 1 - d .. 1 they make (1 - s) / (1 + s), s^2 = 1 - d.
@@ -188,32 +232,23 @@ double contraction(double rate) {
 SolverReport solve(const LayeredSystem& finest, Floats& x, const SolverOptions& options,
                    ThreadTeam& team, const Context& context) {
   Multigrid multigrid(finest, team);
-  const LayeredColumns& level = multigrid.finest();
-  const auto vector = [&] { return finest.make_vector(); };
-  Floats r = std::move(x), z = vector(), p = vector(), w = vector();
-  x = vector();
+  Steps steps(finest, multigrid, x, team);
   SolverReport report = {0, multigrid.n_levels(), 1.0};
   double first = 0.0, last = 0.0;
   while (true) {
     context.check("place");
-    const double rz = multigrid.cycle(r, z, w, context);
+    const double rz = steps.precondition(context);
     const bool is_first = report.n_iterations == 0;
     if (is_first) first = last = rz;
     if (rz > 0.0) report.reduction = std::sqrt(rz / first) * contraction(std::sqrt(rz / last));
-    if (!(rz > 0.0) || report.reduction <= options.reduction) {
-      team.for_chunks(level.n_chunks(), 1, [&](long chunk, long, long) {  // this cycle counts too
-        add_to(level, static_cast<int>(chunk), z, is_first ? 0.0f : 1.0f, x);
-      });
-      break;
-    }
+    if (!(rz > 0.0) || report.reduction <= options.reduction) break;  // this cycle counts too
     if (++report.n_iterations > options.max_iterations)
       throw SolverError("place", "The harmonic system did not converge in " +
                                      std::to_string(options.max_iterations) + " iterations.");
-    const float again = is_first ? 0.0f : static_cast<float>(rz / last);
+    steps.step(is_first ? 0.0f : static_cast<float>(rz / last), rz);
     last = rz;
-    const double pq = next_direction(level, z, again, p, w, team);
-    update_solution(level, p, w, static_cast<float>(rz / pq), is_first, x, r);
   }
+  x = steps.finish();
   return report;
 }
 

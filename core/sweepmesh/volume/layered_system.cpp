@@ -257,6 +257,13 @@ Floats restricted(const BaseMatrix& restriction, const std::vector<double>& row_
 
 }  // namespace
 
+Floats make_vector(const LayeredSystem& system) {
+  Floats v(system.size());
+  std::fill_n(v.begin(), LayeredSystem::pad, 0.0f);
+  std::fill_n(v.end() - LayeredSystem::pad, LayeredSystem::pad, 0.0f);
+  return v;
+}
+
 LayeredSystem make_layered_system(const Extrusion& extrusion, const CellsOfColumns& cells,
                                   const BaseMetric& metric, const std::vector<char>& fixed,
                                   ThreadTeam& team) {

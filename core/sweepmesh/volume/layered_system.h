@@ -55,16 +55,12 @@ struct LayeredSystem {
   int n_bands() const { return static_cast<int>(rows.size()); }
   bool is_empty() const { return offset.back() == pad; }
   long size() const { return offset.back() + pad; }
-  /// Undefined but for what lies before and behind the columns.
-  Floats make_vector() const {
-    Floats v(size());
-    std::fill_n(v.begin(), pad, 0.0f);
-    std::fill_n(v.end() - pad, pad, 0.0f);
-    return v;
-  }
   float* at(float* v, int column, int k) const { return v + start[column] + 3L * k; }
   const float* at(const float* v, int column, int k) const { return v + start[column] + 3L * k; }
 };
+
+/// Undefined but for what lies before and behind the columns.
+Floats make_vector(const LayeredSystem& system);
 
 /// Calls f(rows, first, last) for the bands in which a column is free, with their levels first ..
 /// last - 1.

@@ -14,6 +14,7 @@
 #include "sweepmesh/volume/layered_solver.h"
 #include "sweepmesh/volume/node_ascent.h"
 #include "sweepmesh/volume/residual.h"
+#include "sweepmesh/volume/unfold.h"
 #include "sweepmesh/volume/untangle.h"
 
 namespace sweepmesh {
@@ -67,32 +68,6 @@ void extend_residuals(const Extrusion& x, const std::vector<char>& fixed, const 
   report.n_iterations = solved.n_iterations;
 }
 
-[[noreturn]] void throw_invalid(const std::vector<long>& elements, const char* cause) {
-  throw InvalidMeshError(
-      "place", std::to_string(elements.size()) + " elements stay inverted: " + cause, {}, elements);
-}
-
-/// Untangles the elements that are not positive; throws when some stay so.
-void untangle_inverted(const Extrusion& x, const std::vector<char>& fixed, const BaseMetric& metric,
-                       const PlacementOptions& options, const std::vector<long>& inverted,
-                       Points& points, ThreadTeam& team, const Context& context) {
-  const std::vector<long> hopeless =
-      hopeless_elements(x, without_sliding(fixed, options.sliding), points, inverted);
-  if (!hopeless.empty()) throw_invalid(hopeless, "the mesh of the boundary folds there.");
-  UntangleOptions how;
-  how.threshold = kDegenerate;
-  how.max_attempts = options.max_attempts;
-  // Boundaries that leave room for valid elements invert a few percent of them at first.
-  constexpr double many = 0.25;
-  constexpr int few_rounds = 6;
-  if (static_cast<double>(inverted.size()) > many * static_cast<double>(x.n_elements()))
-    how.energy.max_rounds = few_rounds;
-  how.sliding = options.sliding;
-  const std::vector<long> left =
-      untangle(x, metric, fixed, points, how, inverted, team, context).remaining;
-  if (!left.empty()) throw_invalid(left, "the mesh of the boundary leaves no room for them.");
-}
-
 /// Whether layers are only interpolated between their ends: they may be improved even where the
 /// boundary left no residual.
 bool is_interpolated(const LayerMotion& motion) {
@@ -113,7 +88,8 @@ void mend_elements(const Extrusion& x, const std::vector<char>& fixed, BaseMetri
   report.n_inverted_before = static_cast<long>(report.inverted.size());
   if (!report.inverted.empty() && options.max_attempts > 0) {
     complete_metric(x, points, metric, team);
-    untangle_inverted(x, fixed, metric, options, report.inverted, points, team, context);
+    unfold_inverted(x, metric, fixed, options.sliding, options.max_attempts, report.inverted,
+                    points, team, context);
     set_quality(check_elements(x, points, kDegenerate, team), report);
   }
   // Layers that are exact images of the caps stay so.

@@ -163,7 +163,7 @@ Floats right_hand_side(const Extrusion& extrusion, const CellsOfColumns& cells,
                        const Residuals& residuals, const LayeredSystem& system, double scale,
                        ThreadTeam& team) {
   const CellForce force(extrusion, motion, metric, residuals, system, scale);
-  Floats right = system.make_vector();
+  Floats right = make_vector(system);
   team.for_chunks(
       extrusion.n_columns(), columns_per_chunk(extrusion), [&](long begin, long end, long) {
         for (int c = static_cast<int>(begin); c < end; ++c) {
