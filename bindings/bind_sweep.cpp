@@ -88,6 +88,13 @@ void bind_sweep(py::module_& module) {
       .def_property_readonly("edge_intervals",
                              [](const SweepResult& r) { return r.intervals.edge; })
       .def_property_readonly("n_layers", [](const SweepResult& r) { return r.intervals.n_layers; })
+      .def_property_readonly("area_deviation",
+                             [](const SweepResult& r) {
+                               std::map<int, double> by_face;
+                               for (const FaceCoverage& f : r.coverage)
+                                 by_face[f.face.index] = f.deviation();
+                               return by_face;
+                             })
       .def_property_readonly(
           "points", [](const SweepResult& r) -> const Points& { return r.mesh.points; },
           py::return_value_policy::reference_internal)

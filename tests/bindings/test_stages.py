@@ -119,6 +119,8 @@ def test_a_size_is_chosen_where_none_is_given():
 def test_quality_and_times_are_reported():
     result = sweepmesh.mesh(brick(), Options(size=5))
     assert result.quality["min_scaled_jacobian"] == pytest.approx(1)
+    assert set(result.area_deviation) == {f"Face{i}" for i in range(1, 7)}
+    assert all(deviation == pytest.approx(0, abs=1e-9) for deviation in result.area_deviation.values())
     assert result.quality["mean_scaled_jacobian"] == pytest.approx(1)
     assert result.quality["n_inverted"] == 0
     assert sum(result.quality["histogram"]) == 480 and len(result.quality["histogram"]) == 20

@@ -18,7 +18,7 @@ STAGES = {
     "imprint": {"model", "numerics", "scheme", "intervals", "surface"},
     "surface": {"model", "numerics", "scheme", "intervals"},
     "volume": {"numerics", "surface", "quality"},
-    "quality": {"volume", "surface"},
+    "quality": {"model", "volume", "surface"},
 }
 STAGES["pipeline"] = set(STAGES)
 

@@ -25,6 +25,7 @@ def make_report(assessment=None, result=None, seconds=None, warnings=(), error=N
         "layers": result.n_layers if result else None,
         "counts": _counts(result),
         "quality": result.quality if result else {},
+        "area_deviation": result.area_deviation if result else {},
         "seconds": {stage: round(times.get(stage, 0.0), 6) for stage in STAGES},
         "warnings": list(warnings),
         "error": _error(error),

@@ -89,6 +89,9 @@ class Result:
     intervals: Dict[str, int]
     """Mesh edges on each CAD edge: {"Edge1": 12, ...}."""
     n_layers: int
+    area_deviation: Dict[str, float]
+    """By which part of a CAD face's area the mesh misses it, above 0 where it has more: {"Face1": -0.02, ...}. Beyond
+    0.1 either way there is a warning."""
     warnings: List[str]
 
     @property
@@ -139,6 +142,7 @@ class Result:
             size=core.size,
             intervals={f"Edge{i + 1}": n for i, n in enumerate(core.edge_intervals) if n > 0},
             n_layers=core.n_layers,
+            area_deviation={f"Face{face + 1}": deviation for face, deviation in core.area_deviation.items()},
             warnings=list(core.warnings),
         )
 

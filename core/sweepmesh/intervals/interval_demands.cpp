@@ -58,10 +58,12 @@ class Builder {
     const auto wishes = wished_counts(model_, options_);
     const auto needs = area_counts(model_, options_, wishes);
     for (const EdgeId e : model_.edges()) {
+      const double least = least_count(options_, e);
       const bool is_closed = model_.start(e) == model_.end(e);
-      const double wish = std::max(wishes[e.index], needs[e.index]);
+      const double wish = std::max({wishes[e.index], needs[e.index], least});
       const double weight = wish * importance(options_, e);
-      out_.edge[e.index] = out_.problem.add({is_closed ? 3.0 : 1.0, unbounded, wish, weight});
+      out_.edge[e.index] =
+          out_.problem.add({std::max(least, is_closed ? 3.0 : 1.0), unbounded, wish, weight});
     }
     for (const VertexId v : model_.vertices())
       out_.vertex[v.index] = out_.problem.add({-unbounded, unbounded, std::nullopt, 0.0});

@@ -107,6 +107,12 @@ double importance(const IntervalOptions& options, EdgeId edge) {
   return options.edge_size.contains(edge) ? 1000.0 : 1.0;
 }
 
+int least_count(const IntervalOptions& options, EdgeId edge) {
+  const auto least = options.least_count.find(edge);
+  if (least == options.least_count.end() || options.edge_count.contains(edge)) return 1;
+  return std::max(1, least->second);
+}
+
 double expected_elements(const Model& model, const IntervalOptions& options) {
   double on_edges = 0.0;
   for (const EdgeId e : model.edges()) on_edges += expected_on(model, options, e);

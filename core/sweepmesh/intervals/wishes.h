@@ -18,6 +18,10 @@ std::vector<double> wished_counts(const Model& model, const IntervalOptions& opt
 /// size of its own, so that edges tied to it follow.
 double importance(const IntervalOptions& options, EdgeId edge);
 
+/// The least number that options.least_count asks for, 1 where it says nothing or the user has
+/// given the count.
+int least_count(const IntervalOptions& options, EdgeId edge);
+
 /// Elements to expect: volume over size cubed, not less than the edges wished for all CAD edges.
 /// For refusing absurd sizes before anything is built; cost: that of the edges' lengths.
 double expected_elements(const Model& model, const IntervalOptions& options);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sweepmesh/pipeline/boundary.h"
+#include "sweepmesh/pipeline/covering_counts.h"
 #include "sweepmesh/pipeline/faces_at_elements.h"
 #include "sweepmesh/pipeline/imprinted_boundary.h"
 #include "sweepmesh/pipeline/second_order_on_model.h"
@@ -62,6 +63,24 @@ std::string merge_warning(double fraction) {
          std::to_string(std::lround(100 * fraction)) + " % of the element size.";
 }
 
+long n_elements_of(const BoundaryMesh& boundary) {
+  long n = 0;
+  for (const CellRun& run : boundary.runs) n += run.k_high - run.k_low;
+  return n;
+}
+
+/// Faces that are covered poorly, and were far better before.
+std::set<FaceId> lost_by_sliding(const std::vector<FaceCoverage>& before,
+                                 const std::vector<FaceCoverage>& after) {
+  constexpr double far = 0.7;
+  std::set<FaceId> out;
+  for (std::size_t f = 0; f < before.size(); ++f) {
+    const double was = std::abs(before[f].deviation()), is = std::abs(after[f].deviation());
+    if (!is_covered(after[f]) && was < far * is) out.insert(before[f].face);
+  }
+  return out;
+}
+
 std::vector<std::string> caps_of(const Scheme& scheme) {
   std::vector<std::string> out;
   for (const FaceRole role : {FaceRole::source, FaceRole::target})
@@ -78,27 +97,58 @@ class SchemeMesher {
         options_(options),
         intervals_(interval_options(model, options, size)),
         kind_(cells_of(options.element)),
+        areas_(face_areas(model)),
         clock_(clock),
         context_(context) {}
 
   SchemeMesh run() {
-    const BoundaryMesh boundary = mesh_surface();
-    SchemeMesh filled =
-        fill_boundary(model_, boundary, std::move(out_.intervals), {}, options_, clock_, context_);
-    filled.warnings.insert(filled.warnings.begin(), out_.warnings.begin(), out_.warnings.end());
-    return filled;
+    const std::vector<Tried> tried = mesh_surface();
+    if (tried.size() > 1) try {
+        return filled(tried.back());
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error&) {  // the mesh with fewer edges may do
+      }
+    return filled(tried.front());
   }
 
  private:
-  BoundaryMesh mesh_surface() {
+  struct Tried {
+    Intervals intervals;
+    BoundaryMesh boundary;
+    std::vector<FaceCoverage> coverage;
+    double deviation() const { return worst_deviation(coverage); }
+  };
+
+  /// Where inner nodes of faces slide so far that these are no longer covered, they stay.
+  SchemeMesh filled(const Tried& surface) {
+    SchemeMesh out = filled(surface, {});
+    if (const auto lost = lost_by_sliding(surface.coverage, out.coverage); !lost.empty()) try {
+        out = filled(surface, lost);
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error&) {  // it slides as before
+      }
+    out.warnings.insert(out.warnings.begin(), warnings_.begin(), warnings_.end());
+    return out;
+  }
+
+  SchemeMesh filled(const Tried& surface, const std::set<FaceId>& held) {
+    SchemeMesh out = fill_boundary(model_, surface.boundary, surface.intervals, held, options_,
+                                   clock_, context_);
+    out.coverage = face_coverage(model_, areas_, out.mesh);
+    return out;
+  }
+
+  std::vector<Tried> mesh_surface() {
     const auto fractions = merge_fractions(model_, scheme_, options_, intervals_.size);
     CapMatcher match(model_, scheme_, intervals_.size, context_);
     return with_some_merging(
         fractions, [&](double fraction) { return matched(match, fraction); },
         [&](CapMatch& made, double fraction) {
-          BoundaryMesh boundary = over(made);
-          if (fraction != fractions.front()) out_.warnings.push_back(merge_warning(fraction));
-          return boundary;
+          std::vector<Tried> tried = covering(made);
+          if (fraction != fractions.front()) warnings_.push_back(merge_warning(fraction));
+          return tried;
         });
   }
 
@@ -107,15 +157,42 @@ class SchemeMesher {
     return clock_.run("imprint", [&] { return match(merge_fraction); });
   }
 
-  BoundaryMesh over(const CapMatch& match) {
+  /// The surface's mesh and, where faces are covered poorly, the best of those with more edges
+  /// there.
+  std::vector<Tried> covering(const CapMatch& match) {
+    constexpr int most_rounds = 4;
+    constexpr long most_growth = 2;  // in elements: beyond, the cure is worse than the disease
+    IntervalOptions intervals = intervals_;
+    std::vector<Tried> out;
+    out.push_back(over(match, intervals));
+    if (!is_poorly_covered(out.front().coverage)) return out;
+    const long n_elements = n_elements_of(out.front().boundary);
+    Tried now = out.front();
+    for (int round = 0; round < most_rounds && is_poorly_covered(now.coverage); ++round) try {
+        if (!raise_for_coverage(model_, now.coverage, now.intervals, intervals)) break;
+        now = over(match, intervals);
+        if (n_elements_of(now.boundary) > most_growth * n_elements) break;
+        if (now.deviation() >= out.back().deviation()) continue;
+        out.resize(1);
+        out.push_back(now);
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error&) {
+        break;
+      }
+    return out;
+  }
+
+  Tried over(const CapMatch& match, const IntervalOptions& intervals) {
     context_.report(0.1, "Choosing intervals");
-    const PieceCounts counts = clock_.run(
-        "intervals", [&] { return count_edges(model_, scheme_, match, intervals_, context_); });
-    out_.intervals = counts.intervals;
+    PieceCounts counts = clock_.run(
+        "intervals", [&] { return count_edges(model_, scheme_, match, intervals, context_); });
     context_.report(0.2, "Meshing the surface");
     return clock_.run("surface", [&] {
-      return without_overlaps(
-          mesh_matched(model_, scheme_, match, counts, intervals_, kind_, context_));
+      BoundaryMesh boundary = without_overlaps(
+          mesh_matched(model_, scheme_, match, counts, intervals, kind_, context_));
+      auto coverage = face_coverage(model_, areas_, boundary.surface);
+      return Tried{std::move(counts.intervals), std::move(boundary), std::move(coverage)};
     });
   }
 
@@ -124,9 +201,10 @@ class SchemeMesher {
   const SweepOptions& options_;
   const IntervalOptions intervals_;
   const CellKind kind_;
+  const std::vector<double> areas_;
   StageClock& clock_;
   Context& context_;
-  SchemeMesh out_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace

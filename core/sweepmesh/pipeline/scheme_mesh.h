@@ -10,6 +10,7 @@
 #include "sweepmesh/pipeline/cap_match.h"
 #include "sweepmesh/pipeline/stage_clock.h"
 #include "sweepmesh/pipeline/sweep_options.h"
+#include "sweepmesh/quality/face_coverage.h"
 #include "sweepmesh/volume/volume_mesh.h"
 
 namespace sweepmesh {
@@ -17,11 +18,14 @@ namespace sweepmesh {
 struct SchemeMesh {
   Intervals intervals;
   VolumeMesh mesh;
+  std::vector<FaceCoverage> coverage;  ///< by mesh_scheme: of all faces of the solid
   std::vector<std::string> warnings;
 };
 
 /// Imprints sources and targets on each other where there are several, chooses intervals, meshes
-/// the boundary and places the interior, with elements of `size`. Throws the stages' errors.
+/// the boundary and places the interior, with elements of `size`. Where faces are covered poorly
+/// (face_coverage.h), the surface is meshed again with more edges there, as long as that helps.
+/// Throws the stages' errors.
 SchemeMesh mesh_scheme(const Model& model, const Scheme& scheme, const SweepOptions& options,
                        double size, StageClock& clock, Context& context);
 

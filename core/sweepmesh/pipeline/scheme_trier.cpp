@@ -37,8 +37,12 @@ std::string text_of(double size) {
   return text;
 }
 
-double least_of(const VolumeMesh& mesh, const Context& context) {
-  return std::ranges::min(scaled_jacobians(mesh, context));
+constexpr double kPoorlyCovered = -2.0;  ///< added to what such a mesh is worth
+constexpr double kWorthCovered = -1.0;   ///< a mesh is worth more where all faces are covered
+
+double worth_of(const SchemeMesh& made, const Context& context) {
+  const double least = std::ranges::min(scaled_jacobians(made.mesh, context));
+  return std::ranges::all_of(made.coverage, is_covered) ? least : least + kPoorlyCovered;
 }
 
 /// What mesh_some_scheme does.
@@ -50,42 +54,71 @@ class SchemeTrier {
 
   /// False: the solid turned out not to be sweepable, see the assessment.
   bool at_some_size(std::span<const double> shares) {
-    const SweepResult begun = result_;
-    std::optional<Assessment> refused;
-    std::exception_ptr first_error;
+    begun_ = result_;
     for (const double share : shares) try {
-        result_.assessment = begun.assessment;
-        result_.warnings = begun.warnings;
-        result_.size = share * begun.size;
-        if (!has_hope()) break;
+        if (!begin(share)) break;
         if (share < 1.0 && is_explosion(model_, options_, result_.size)) continue;
-        if (with_some_scheme()) {
-          if (share != 1.0)
-            result_.warnings.push_back("The element size is " + text_of(result_.size) + ": with " +
-                                       text_of(begun.size) + " no valid mesh was found.");
-          return true;
+        if (!with_some_scheme()) {
+          if (!refused_ && !first_error_) refused_ = result_.assessment;
+          continue;
         }
-        if (!refused && !first_error) refused = result_.assessment;
+        if (keep_best(share)) break;
       } catch (const Cancelled&) {
         throw;
       } catch (const SolverError& e) {
-        if (!refused && !first_error) {
-          if (e.stage() != "surface") throw;  // what hangs on the numbers alone fails again
-          first_error = std::current_exception();
-        }
+        // what hangs on the numbers alone fails again
+        if (e.stage() != "surface" && !best_ && !refused_ && !first_error_) throw;
+        note_error();
       } catch (const Error&) {
-        if (!refused && !first_error) first_error = std::current_exception();
+        note_error();
       }
-    result_.size = begun.size;
-    if (first_error) std::rethrow_exception(first_error);
-    result_.assessment = *refused;
+    return finish();
+  }
+
+  double worth() const { return worth_; }
+
+ private:
+  /// False: no scheme is left that another size may help.
+  bool begin(double share) {
+    result_.assessment = begun_.assessment;
+    result_.warnings = begun_.warnings;
+    result_.size = share * begun_.size;
+    return has_hope();
+  }
+
+  void note_error() {
+    if (!refused_ && !first_error_) first_error_ = std::current_exception();
+  }
+
+  /// True where the mesh in result_ will do, or is too large to look for another.
+  bool keep_best(double share) {
+    constexpr long most_elements = 10000;  // each size may take several schemes
+    const bool is_good = worth_ > kWorthCovered;
+    if (best_ && !is_good) return false;
+    if (share != 1.0)
+      result_.warnings.push_back(
+          "The element size is " + text_of(result_.size) + ": with " + text_of(begun_.size) +
+          (best_ ? " a face was covered poorly." : " no valid mesh was found."));
+    best_ = std::move(result_);
+    result_.seconds = best_->seconds;
+    best_worth_ = worth_;
+    return is_good || best_->mesh.n_elements() > most_elements;
+  }
+
+  bool finish() {
+    if (best_) {
+      best_->seconds = std::move(result_.seconds);
+      result_ = std::move(*best_);
+      worth_ = best_worth_;
+      return true;
+    }
+    result_.size = begun_.size;
+    if (first_error_) std::rethrow_exception(first_error_);
+    result_.assessment = *refused_;
     result_.warnings.clear();
     return false;
   }
 
-  double least() const { return least_; }
-
- private:
   /// The same at result_.size.
   bool with_some_scheme() {
     auto& schemes = result_.assessment.schemes;
@@ -95,12 +128,12 @@ class SchemeTrier {
     for (const std::size_t s : tries(schemes.size())) try {
         if (hopeless_.contains(s)) continue;
         SchemeMesh made = mesh_scheme(model_, schemes[s], options_, result_.size, clock_, context_);
-        const double least = least_of(made.mesh, context_);
-        if (best && !is_clearly_better(least, least_)) continue;
+        const double worth = worth_of(made, context_);
+        if (best && !is_clearly_better(worth, worth_)) continue;
         best = s;
-        least_ = least;
+        worth_ = worth;
         made_ = std::move(made);
-        if (!is_worth_another_try(least_, made_.mesh)) break;
+        if (!is_worth_another_try(worth_, made_.mesh)) break;
       } catch (const Cancelled&) {
         throw;
       } catch (const Error& error) {
@@ -139,22 +172,27 @@ class SchemeTrier {
   const SweepOptions& options_;
   StageClock& clock_;
   Context& context_;
-  SweepResult& result_;
+  SweepResult& result_;  ///< at the size that is being tried
+  SweepResult begun_;
+  std::optional<SweepResult> best_;
+  double best_worth_ = 0.0;
+  std::optional<Assessment> refused_;
+  std::exception_ptr first_error_;
   SchemeMesh made_;
-  double least_ = 0.0;              ///< scaled Jacobian of made_
+  double worth_ = 0.0;              ///< of made_
   std::set<std::size_t> hopeless_;  ///< schemes that failed whatever the size (is_final)
 };
 
 }  // namespace
 
-bool is_worth_another_try(double least, const VolumeMesh& mesh) {
+bool is_worth_another_try(double worth, const VolumeMesh& mesh) {
   constexpr long most_elements = 30000;
-  return least < kPoor && mesh.n_elements() < most_elements;
+  return worth < kPoor && mesh.n_elements() < most_elements;
 }
 
-bool is_clearly_better(double least, double than) {
+bool is_clearly_better(double worth, double than) {
   constexpr double clearly = 0.1;
-  return least > than + clearly;
+  return worth > than + clearly;
 }
 
 std::optional<double> mesh_some_scheme(const Model& model, const SweepOptions& options,
@@ -162,7 +200,7 @@ std::optional<double> mesh_some_scheme(const Model& model, const SweepOptions& o
                                        Context& context, SweepResult& result) {
   SchemeTrier trier(model, options, clock, context, result);
   if (!trier.at_some_size(shares)) return {};
-  return trier.least();
+  return trier.worth();
 }
 
 }  // namespace sweepmesh

@@ -19,16 +19,20 @@ inline constexpr double kPoor = 0.2;  ///< scaled Jacobian
 /// elsewhere, and narrow places get other numbers of cells. The scheme that was used is moved to
 /// the front; warnings tell of those before it that failed, and of another size.
 ///
-/// Returns the least scaled Jacobian; nothing where elements stay inverted wherever inner nodes are
-/// put: result.assessment then says so. Throws the first failure's error where all fail otherwise.
+/// A mesh that covers a CAD face poorly (quality/face_coverage.h) counts as a poor one, and other
+/// sizes are tried after it as well.
+///
+/// Returns what the mesh is worth: the least scaled Jacobian, less 2 where a face is covered
+/// poorly; nothing where elements stay inverted wherever inner nodes are put: result.assessment
+/// then says so. Throws the first failure's error where all fail otherwise.
 std::optional<double> mesh_some_scheme(const Model& model, const SweepOptions& options,
                                        std::span<const double> shares, StageClock& clock,
                                        Context& context, SweepResult& result);
 
-/// Whether other schemes might be worth their cost: poor elements, and not many.
-bool is_worth_another_try(double least, const VolumeMesh& mesh);
+/// Whether other schemes might be worth their cost: a mesh of little worth with few elements.
+bool is_worth_another_try(double worth, const VolumeMesh& mesh);
 
-/// Whether a scheme is worth that it was not the first choice; scaled Jacobians.
-bool is_clearly_better(double least, double than);
+/// Whether a scheme is worth that it was not the first choice.
+bool is_clearly_better(double worth, double than);
 
 }  // namespace sweepmesh

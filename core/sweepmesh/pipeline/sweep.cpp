@@ -35,7 +35,7 @@ bool names_parts(const std::string& warning) {
 struct DividedMesh {
   DividedSweep divided;
   SweepResult part;
-  double least;  ///< scaled Jacobian
+  double worth;  ///< see mesh_some_scheme
 };
 
 /// Empty where it cannot be meshed.
@@ -66,9 +66,9 @@ bool mesh_divided(const Model& model, RoundDivision& division, Strain strain, St
   if (!divided) return false;
   auto best = mesh_parts(std::move(*divided), kSizeShares, result.size, clock, context);
   if (!best) return false;
-  while (is_worth_another_try(best->least, best->part.mesh) && (divided = next())) {
+  while (is_worth_another_try(best->worth, best->part.mesh) && (divided = next())) {
     auto other = mesh_parts(std::move(*divided), kWishedSize, result.size, clock, context);
-    if (other && is_clearly_better(other->least, best->least)) best = std::move(other);
+    if (other && is_clearly_better(other->worth, best->worth)) best = std::move(other);
   }
   const DividedModel& parts = best->divided.parts;
   SweepResult& part = best->part;
@@ -152,6 +152,8 @@ SweepResult sweep(const Model& model, const Picks& picks, const SweepOptions& op
 
   context.report(0.9, "Measuring quality");
   result.quality = clock.run("quality", [&] { return measure_quality(result.mesh, {}, context); });
+  result.coverage = face_coverage(model, face_areas(model), result.mesh);
+  std::ranges::move(coverage_warnings(result.coverage), std::back_inserter(result.warnings));
   if (result.quality.scaled_jacobian.min < kPoor) {
     const auto angles =
         poor_cad_angles(model, result.assessment.schemes.front(), result.mesh, kPoor, context);

@@ -9,6 +9,7 @@
 #include "sweepmesh/intervals/intervals.h"
 #include "sweepmesh/model/model.h"
 #include "sweepmesh/pipeline/sweep_options.h"
+#include "sweepmesh/quality/face_coverage.h"
 #include "sweepmesh/quality/quality.h"
 #include "sweepmesh/scheme/assess.h"
 #include "sweepmesh/volume/volume_mesh.h"
@@ -20,7 +21,9 @@ struct SweepResult {
   Intervals intervals;
   VolumeMesh mesh;
   QualityReport quality;  ///< of `mesh`
-  double size = 0.0;      ///< the element size that was used, near the wished one
+  /// Of all faces; warnings name those that are covered poorly.
+  std::vector<FaceCoverage> coverage;
+  double size = 0.0;  ///< the element size that was used, near the wished one
   std::vector<std::string> warnings;
   std::map<std::string, double>
       seconds;  ///< per stage: assess, imprint, intervals, surface, place, quality

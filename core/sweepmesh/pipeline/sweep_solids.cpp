@@ -42,7 +42,14 @@ void append_intervals(const Intervals& from, Intervals& into) {
 void append_result(SweepResult&& part, SweepResult& all) {
   append_intervals(part.intervals, all.intervals);
   append(part.warnings, all.warnings);
+  append(part.coverage, all.coverage);
   for (const auto& [stage, seconds] : part.seconds) all.seconds[stage] += seconds;
+}
+
+/// Of a solid that was meshed together with others.
+void add_coverage(const Model& model, SweepResult& part) {
+  part.coverage = face_coverage(model, face_areas(model), part.mesh);
+  append(coverage_warnings(part.coverage), part.warnings);
 }
 
 void warn_of_overlaps(const std::vector<Model>& solids, const Contacts& contacts,
@@ -118,7 +125,9 @@ SweepResult sweep_solids(const std::vector<Model>& solids, const Picks& picks,
   TouchingSweep touching = sweep_touching(solids, own, options, all.size, contacts, context);
   std::vector<Assessment> verdicts;
   std::vector<VolumeMesh> meshes;
-  for (SweepResult& part : touching.parts) {
+  for (std::size_t s = 0; s < solids.size(); ++s) {
+    SweepResult& part = touching.parts[s];
+    if (part.coverage.empty() && part.mesh.n_elements() > 0) add_coverage(solids[s], part);
     verdicts.push_back(std::move(part.assessment));
     meshes.push_back(std::move(part.mesh));
     append_result(std::move(part), all);

@@ -124,6 +124,26 @@ TEST(AssignIntervals, MeetsAllDemandsOverSizes) {
   }
 }
 
+TEST(AssignIntervals, LeastCountsHoldUnlessTheUserGaveTheCount) {
+  for (const auto& [name, shape] : family()) {
+    SCOPED_TRACE(name);
+    const Case c = upright(shape);
+    Context context;
+    const Intervals before = assign_intervals(c.model, c.scheme, {.size = 5.0}, context);
+    for (const EdgeId e : c.model.edges()) {
+      IntervalOptions options{.size = 5.0};
+      options.least_count = {{e, before.edge[e.index] + 3}};
+      const Intervals n = assign_intervals(c.model, c.scheme, options, context);
+      expect_consistent(c, n);
+      EXPECT_GE(n.edge[e.index], before.edge[e.index] + 3) << name_of(e);
+      options.edge_count = {{e, before.edge[e.index]}};
+      EXPECT_EQ(assign_intervals(c.model, c.scheme, options, context).edge[e.index],
+                before.edge[e.index])
+          << name_of(e);
+    }
+  }
+}
+
 TEST(AssignIntervals, CountsComeFromTheSize) {
   const Case c = upright(testing::box(10, 20, 30));
   Context context;
