@@ -197,12 +197,13 @@ UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
         if (!(scaled_jacobian_of(extrusion, points, index.element(e)) > options.threshold))
           remaining.push_back(e);
     }
-    report.remaining = remaining;
-    // Where so much is left, more room has never helped, and it costs most.
-    constexpr double hopeless = 0.1;
-    if (static_cast<double>(remaining.size()) >
-        hopeless * static_cast<double>(extrusion.n_elements()))
-      break;
+    const auto n_before = static_cast<double>(report.remaining.size()),
+               n_left = static_cast<double>(remaining.size());
+    report.remaining = std::move(remaining);
+    // Where so much is left, or more room has hardly helped, yet more never has, and costs most.
+    constexpr double hopeless = 0.1, hardly = 0.9;
+    if (n_left > hopeless * static_cast<double>(extrusion.n_elements())) break;
+    if (report.n_attempts > 1 && n_left > hardly * n_before) break;
   }
   sort_unique(report.remaining);
   return report;
