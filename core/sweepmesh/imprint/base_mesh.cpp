@@ -317,7 +317,7 @@ BaseMesh mesh_base(const Model& model, const Imprint& imprint, const std::vector
   for (const Patch& patch : imprint.patches)
     shapes.push_back(shape_of(model, imprint, counts, patch, base));
   std::vector<PatchMesh> meshes(n);
-  ThreadTeam team(context.n_threads());
+  ThreadTeam& team = team_of(context);
   team.for_chunks(n, 1, [&](long p, long, long) {
     context.check("surface");
     const auto own = given.find(static_cast<int>(p));

@@ -154,7 +154,7 @@ template <class Elements>
 QualityReport measure(const Elements& elements, const QualityOptions& options,
                       const Context& context) {
   assert(options.n_worst >= 0);
-  ThreadTeam team(context.n_threads());
+  ThreadTeam& team = team_of(context);
   std::vector<QualityReport> parts(ThreadTeam::n_chunks(elements.size(), elements_per_chunk));
   team.for_chunks(elements.size(), elements_per_chunk, [&](long begin, long end, long chunk) {
     context.check("quality");
@@ -172,7 +172,7 @@ QualityReport measure(const Elements& elements, const QualityOptions& options,
 
 template <class Elements>
 std::vector<double> scaled_jacobians_of(const Elements& elements, const Context& context) {
-  ThreadTeam team(context.n_threads());
+  ThreadTeam& team = team_of(context);
   std::vector<double> values(elements.size());
   team.for_chunks(elements.size(), elements_per_chunk, [&](long begin, long end, long) {
     context.check("quality");
