@@ -12,21 +12,9 @@
 namespace sweepmesh {
 namespace {
 
-Point3 reflected(const Point3& v, const Point3& normal) {
-  return v - 2.0 / normal.squaredNorm() * normal.dot(v) * normal;
-}
-
-/// The frame's axis at another place, by two reflections: from point to point, and from the
-/// reflected tangent to the tangent there. At one point it turns with the tangent.
-Point3 transported(const SweepPath::Station& from, const Point3& point, const Point3& tangent) {
-  const Point3 chord = point - from.point;
-  Point3 axis;
-  if (chord.squaredNorm() > 0.0) {
-    axis = reflected(reflected(from.axis, chord), tangent - reflected(from.tangent, chord));
-  } else {
-    axis = Eigen::Quaterniond::FromTwoVectors(from.tangent, tangent) * from.axis;
-  }
-  return (axis - axis.dot(tangent) * tangent).normalized();
+/// The frame's axis at another place: turned as the tangent turns.
+Point3 transported(const SweepPath::Station& from, const Point3& tangent) {
+  return Eigen::Quaterniond::FromTwoVectors(from.tangent, tangent) * from.axis;
 }
 
 /// The cubic with these ends and the tangents scaled to the chord.
@@ -88,8 +76,7 @@ SweepPath::SweepPath(const std::vector<Point3>& points, const std::vector<Point3
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Station& before = stations_.back();
     const double length = before.length + (points[i] - before.point).norm();
-    stations_.push_back(
-        {points[i], tangents[i], transported(before, points[i], tangents[i]), length});
+    stations_.push_back({points[i], tangents[i], transported(before, tangents[i]), length});
   }
 }
 
@@ -110,10 +97,8 @@ SweepPath::Station SweepPath::between(std::size_t i, const Point3& p) const {
     const Station here = at(middle);
     (here.tangent.dot(p - here.point) > 0.0 ? low : high) = middle;
   }
-  const double u = (low + high) / 2.0;
-  Station out = at(u);
-  const Point3 axis = (1.0 - u) * a.axis + u * b.axis;
-  out.axis = (axis - axis.dot(out.tangent) * out.tangent).normalized();
+  Station out = at((low + high) / 2.0);
+  out.axis = transported(a, out.tangent);
   return out;
 }
 

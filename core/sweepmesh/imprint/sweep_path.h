@@ -2,10 +2,10 @@
 //
 // Its sections are not seen along one direction, but along one path. The path is the longest chain
 // of axial edges, continued straight on at both ends, with a frame that turns no more than the path
-// does (rotation minimising; Wang, Juettler, Zheng, Liu 2008: the double reflection). A point is
-// *straightened* by what its section's plane shows: its coordinates across the path, in the frame
-// where the plane normal to the path meets it, and the path's length up to there. A profile that is
-// moved along the path becomes a straight prism, whatever its distance from the chain.
+// does (parallel transport; Bishop 1975). A point is *straightened* by what its section's plane
+// shows: its coordinates across the path, in the frame where the plane normal to the path meets it,
+// and the path's length up to there. A profile that is moved along the path becomes a straight
+// prism, whatever its distance from the chain.
 #pragma once
 
 #include <optional>
