@@ -124,8 +124,8 @@ Point3 SweepPath::straightened(const Point3& p) const {
 
 double SweepPath::turning() const {
   double most = 0.0;
-  for (const Station& a : stations_)
-    for (const Station& b : stations_) most = std::max(most, angle_between(a.tangent, b.tangent));
+  for (const Station& s : stations_)
+    most = std::max(most, angle_between(stations_.front().tangent, s.tangent));
   return most;
 }
 

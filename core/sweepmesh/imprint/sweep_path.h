@@ -32,7 +32,7 @@ class SweepPath {
   /// one that is nearest to it counts. Cost: linear in the number of stations.
   Point3 straightened(const Point3& p) const;
 
-  /// The largest angle between any two of the path's directions.
+  /// The largest angle between the path's first direction and another.
   double turning() const;
 
  private:
@@ -42,7 +42,7 @@ class SweepPath {
 };
 
 /// Of the axial edges of a scheme; nothing where these hardly turn (30 degrees), or lead around in
-/// a circle.
+/// a circle. Cost: linear in their number.
 std::optional<SweepPath> sweep_path(const Model& model, const Scheme& scheme);
 
 }  // namespace sweepmesh
