@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "sweepmesh/base/listed.h"
 #include "sweepmesh/imprint/overlay.h"
 #include "sweepmesh/imprint/patches.h"
 #include "sweepmesh/imprint/reference.h"
@@ -54,7 +55,8 @@ struct View {
   Walls walls;
   Point3 direction;
   Reference seen;
-  double upright = 0.0;  ///< area
+  double upright = 0.0;     ///< area
+  bool is_upright = false;  ///< all of it
 };
 
 /// Along the directions that all columns have in common, or along the path on which they turn: the
@@ -68,10 +70,10 @@ std::optional<View> best_view(const Model& model, const Scheme& scheme, double s
   std::optional<View> best;
   const auto offer = [&](View view) {
     view.upright = upright_area(model, view.walls, view.seen);
-    const bool is_best =
-        !best || view.upright > best->upright * (1.0 + model.tolerances().relative);
-    if (is_best) best = std::move(view);
-    return is_best && is_upright(best->walls, best->seen);
+    view.is_upright = is_upright(view.walls, view.seen);
+    if (best && view.upright <= best->upright * (1.0 + model.tolerances().relative)) return false;
+    best = std::move(view);
+    return best->is_upright;
   };
   for (const Point3& d : common_directions(model, scheme, level))
     if (offer({walls, d, projected_reference(model, walls, d, size, tolerance, context)}))
@@ -103,14 +105,11 @@ void refuse_edges_on_end(const Reference& reference) {
   for (const ReferenceCurve& curve : reference.curves)
     if (length(curve.points) <= reference.lattice) names.push_back(name_of(curve.edge));
   if (names.empty()) return;
-  std::string listed;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    listed += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  throw ImprintError(ImprintFailure::unreachable,
-                     names.size() == 1
-                         ? listed + ", an edge of a cap, runs along the columns of the sweep."
-                         : listed + ", edges of caps, run along the columns of the sweep.",
-                     names);
+  throw ImprintError(
+      ImprintFailure::unreachable,
+      names.size() == 1 ? listed(names) + ", an edge of a cap, runs along the columns of the sweep."
+                        : listed(names) + ", edges of caps, run along the columns of the sweep.",
+      names);
 }
 
 }  // namespace
@@ -125,9 +124,8 @@ ImprintBasis imprint_basis(const Model& model, const Scheme& scheme, double size
                        "The columns of the sweep do not run along one direction.", {});
   Walls& walls = view->walls;
   Reference reference =
-      is_upright(walls, view->seen)
-          ? std::move(view->seen)
-          : slab_reference(model, scheme, walls, view->direction, view->seen, context);
+      view->is_upright ? std::move(view->seen)
+                       : slab_reference(model, scheme, walls, view->direction, view->seen, context);
   refuse_runaways(model, reference);
   refuse_edges_on_end(reference);
   return {std::move(walls), std::move(reference)};

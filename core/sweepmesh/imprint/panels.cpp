@@ -158,7 +158,8 @@ void keep_growing(Heights& height) {
 Heights level_heights(const Model& model, const Walls& walls, const Point3& direction,
                       const Reference& seen) {
   const auto height = [&](VertexId v) {
-    return on_lattice(direction.dot(seen.straightened(model.point(v)) - seen.origin) / seen.unit, seen.lattice);
+    return on_lattice(direction.dot(seen.straightened(model.point(v)) - seen.origin) / seen.unit,
+                      seen.lattice);
   };
   std::map<int, std::pair<double, int>> sums;
   for (const EdgeId e : walls.edges) {

@@ -124,8 +124,7 @@ bool is_shell_like(const Model& model, const Scheme& scheme) {
 }
 
 bool may_be_shell(const Model& model, const Scheme& scheme) {
-  return !is_shell_like(model, scheme) || match_caps(model, scheme) ||
-         carried_shell(model, scheme);
+  return !is_shell_like(model, scheme) || match_caps(model, scheme) || carried_shell(model, scheme);
 }
 
 Shell find_shell(const Model& model, const Scheme& scheme, const Context& context) {

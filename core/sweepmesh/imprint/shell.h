@@ -55,8 +55,8 @@ struct Shell {
 /// seen along it (a sheet that is bent over).
 bool is_shell_like(const Model& model, const Scheme& scheme);
 
-/// Whether a scheme that asks for a shell has one: sources and targets are divided alike, or one side
-/// can be carried to the other. True where it asks for none. Cheap, beside an imprint.
+/// Whether a scheme that asks for a shell has one: sources and targets are divided alike, or one
+/// side can be carried to the other. True where it asks for none. Cheap, beside an imprint.
 bool may_be_shell(const Model& model, const Scheme& scheme);
 
 /// The shell of a scheme. Throws ImprintError (unreachable) where sources and targets are divided

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "sweepmesh/imprint/axial_edges.h"
 #include "sweepmesh/surface/cap_boundary.h"
 
 namespace sweepmesh {
@@ -75,17 +76,7 @@ Side side_of(const Model& model, const Scheme& scheme, FaceRole role) {
 /// divide.
 std::map<VertexId, VertexId> feet_of(const Model& model, const Scheme& scheme) {
   std::map<VertexId, std::vector<VertexId>> below;
-  for (const FaceId f : model.faces()) {
-    if (scheme.face_role[f.index] != FaceRole::linking) continue;
-    const auto& loops = model.loops(f);
-    for (std::size_t l = 0; l < loops.size(); ++l)
-      for (std::size_t c = 0; c < loops[l].size(); ++c) {
-        const Coedge& e = loops[l][c];
-        const Direction d = scheme.face[f.index].direction[l][c];
-        if (d == Direction::plus_k) below[e.end].push_back(e.start);
-        if (d == Direction::minus_k) below[e.start].push_back(e.end);
-      }
-  }
+  for (const AxialEdge& e : axial_edges(model, scheme)) below[e.high].push_back(e.low);
   std::map<VertexId, VertexId> feet;
   for (const auto& [upper, lower] : below) {
     VertexId at = upper;

@@ -26,7 +26,7 @@ struct IntervalOptions {
   std::map<EdgeId, int> edge_count = {};    ///< exact number of mesh edges on chosen edges, >= 1
   /// At least so many mesh edges on chosen edges, >= 1; of no effect on edges of edge_count.
   std::map<EdgeId, int> least_count = {};
-  std::map<EdgeId, Bias> edge_bias = {};    ///< spacing on chosen edges; others are spaced evenly
+  std::map<EdgeId, Bias> edge_bias = {};  ///< spacing on chosen edges; others are spaced evenly
   /// Spacing along the sweep: on every axial edge that has none of its own, read from the lower to
   /// the higher layer whichever way the edge runs.
   std::optional<Bias> sweep_bias = {};

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "sweepmesh/base/listed.h"
 #include "sweepmesh/pipeline/sweep.h"
 #include "sweepmesh/pipeline/wall_sampling.h"
 #include "sweepmesh/scheme/assess.h"
@@ -13,13 +14,6 @@
 
 namespace sweepmesh {
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return out;
-}
 
 Reason reason_of(const Winding& winding) {
   std::vector<std::string> names;

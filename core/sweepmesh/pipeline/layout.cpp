@@ -94,8 +94,8 @@ std::vector<Scheme> schemes_beside(const Model& model, const std::vector<Scheme>
                                    Context& context) {
   std::vector<Scheme> out = strained_schemes(model, context);
   std::erase_if(out, [&](const Scheme& scheme) {
-    return std::ranges::any_of(
-        tried, [&](const Scheme& other) { return has_same_caps(scheme, other); });
+    return std::ranges::any_of(tried,
+                               [&](const Scheme& other) { return has_same_caps(scheme, other); });
   });
   return out;
 }

@@ -69,9 +69,9 @@ std::vector<Scheme> schemes_beside(const Model& model, const std::vector<Scheme>
                                    Context& context);
 
 /// Makes a verdict sweepable by those of its strained schemes that can be laid out: `kMostStrained`
-/// are tried in their order until `kEnoughStrained` are found; those that ask for a shell and cannot
-/// have one, which is seen at once, are passed over. Nothing changes where none can be,
-/// or where it is sweepable.
+/// are tried in their order until `kEnoughStrained` are found; those that ask for a shell and
+/// cannot have one, which is seen at once, are passed over. Nothing changes where none can be, or
+/// where it is sweepable.
 void accept_strained(const Model& model, const SweepOptions& options, Context& context,
                      Assessment& verdict);
 

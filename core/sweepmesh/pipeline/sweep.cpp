@@ -125,9 +125,8 @@ bool mesh_as_assessed(const Model& model, const Picks& picks, const SweepOptions
     if (!is_free(picks) || !is_fault_of_layout(error)) throw;
     const std::vector<Scheme> regular = std::move(result.assessment.schemes);
     result.assessment = without_layout(error);
-    result.assessment.strained = clock.run("assess", [&] {
-      return schemes_beside(model, regular, context);
-    });
+    result.assessment.strained =
+        clock.run("assess", [&] { return schemes_beside(model, regular, context); });
     return mesh_strained(model, options, clock, context, result) || divided(Strain::accepted);
   }
 }

@@ -24,8 +24,8 @@ namespace sweepmesh {
 Assessment assess(const Model& model, const Picks& picks, Context& context);
 
 /// Schemes of a solid without picks that are possible within the lenient limits (limits.h), no two
-/// with the same caps: what is left to try where none of those of assess() can be laid out. Ascending
-/// cost. Throws Cancelled. The search is cut off as that of assess().
+/// with the same caps: what is left to try where none of those of assess() can be laid out.
+/// Ascending cost. Throws Cancelled. The search is cut off as that of assess().
 std::vector<Scheme> strained_schemes(const Model& model, Context& context);
 
 /// The cheapest directions and types where the role of every face is given (indexed by FaceId), or

@@ -53,9 +53,10 @@ struct UntangleReport {
 
 /// Moves free nodes of `points` until none of `elements` (those at or below the threshold, as
 /// check_elements lists them) is left, or attempts run out, or one leaves more than a tenth of all
-/// elements, or a later one mends less than a tenth of what is left. A patch is only taken over when it is better than before: fewer elements at or below
-/// the threshold, or as many and a greater least scaled Jacobian; a positive least value never
-/// falls. The result does not depend on the number of threads. Throws Cancelled.
+/// elements, or a later one mends less than a tenth of what is left. A patch is only taken over
+/// when it is better than before: fewer elements at or below the threshold, or as many and a
+/// greater least scaled Jacobian; a positive least value never falls. The result does not depend on
+/// the number of threads. Throws Cancelled.
 UntangleReport untangle(const Extrusion& extrusion, const BaseMetric& metric,
                         const std::vector<char>& fixed, Points& points,
                         const UntangleOptions& options, const std::vector<long>& elements,

@@ -7,6 +7,7 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 
+#include "named_cases.h"
 #include "solids.h"
 #include "sweepmesh/pipeline/sweep.h"
 #include "to_model.h"
@@ -65,14 +66,10 @@ TEST_P(CoveringCounts, the_user_s_counts_and_sizes_stay) {
   EXPECT_TRUE(options.least_count.empty());
 }
 
-std::string name_of_case(const testing::TestParamInfo<test::NamedModel>& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Prisms, CoveringCounts, testing::ValuesIn(test::prisms()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Prisms, CoveringCounts, testing::ValuesIn(test::prisms()),
+                         test::name_of_case);
 INSTANTIATE_TEST_SUITE_P(General, CoveringCounts, testing::ValuesIn(test::general_one_to_one()),
-                         name_of_case);
+                         test::name_of_case);
 
 TEST(CoveringCounts, only_edges_whose_chords_are_to_blame_are_raised) {
   const Model model = test::to_model(BRepPrimAPI_MakeCylinder(5, 20, 1.0).Shape());  // a wedge

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "named_cases.h"
 #include "solids.h"
 #include "sweepmesh/scheme/round_cuts.h"
 
@@ -120,12 +121,8 @@ TEST_P(Drilled, PlanSaysWhatTheSweepDoes) {
       EXPECT_LE(d.n_intervals, plan.intervals.edge[d.edge.index]) << name_of(d.edge);
 }
 
-std::string name_of_case(const testing::TestParamInfo<test::NamedModel>& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Across, Drilled, testing::ValuesIn(test::drilled_across()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Across, Drilled, testing::ValuesIn(test::drilled_across()),
+                         test::name_of_case);
 
 TEST(DividedSweep, WhatHasNoRoundsAcrossHasNoCuts) {
   EXPECT_TRUE(round_cuts(test::box(1, 2, 3)).empty());

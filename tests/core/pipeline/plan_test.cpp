@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "named_cases.h"
 #include "solids.h"
 
 namespace sweepmesh {
@@ -51,15 +52,11 @@ TEST_P(Plan, names_the_vertices_of_linking_faces_only) {
   }
 }
 
-std::string name_of_case(const testing::TestParamInfo<test::NamedModel>& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Prisms, Plan, testing::ValuesIn(test::prisms()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Prisms, Plan, testing::ValuesIn(test::prisms()), test::name_of_case);
 INSTANTIATE_TEST_SUITE_P(General, Plan, testing::ValuesIn(test::general_one_to_one()),
-                         name_of_case);
-INSTANTIATE_TEST_SUITE_P(ManyToOne, Plan, testing::ValuesIn(test::many_to_one()), name_of_case);
+                         test::name_of_case);
+INSTANTIATE_TEST_SUITE_P(ManyToOne, Plan, testing::ValuesIn(test::many_to_one()),
+                         test::name_of_case);
 
 TEST(PlanOfNothing, has_the_reasons_and_no_numbers) {
   for (const auto& [name, model] : test::unsweepable()) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "named_cases.h"
 #include "solids.h"
 
 namespace sweepmesh {
@@ -114,17 +115,12 @@ TEST_P(EverySweep, second_order_keeps_the_corners_and_nears_the_volume) {
   expect_on_cad(GetParam().model, second.mesh);
 }
 
-std::string name_of_case(const testing::TestParamInfo<test::NamedModel>& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Prisms, EverySweep, testing::ValuesIn(test::prisms()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Prisms, EverySweep, testing::ValuesIn(test::prisms()), test::name_of_case);
 INSTANTIATE_TEST_SUITE_P(General, EverySweep, testing::ValuesIn(test::general_one_to_one()),
-                         name_of_case);
+                         test::name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(ManyToOne, EverySweep, testing::ValuesIn(test::many_to_one()),
-                         name_of_case);
+                         test::name_of_case);
 
 TEST(Sweep, size_and_layers_are_kept) {
   SweepOptions options;
